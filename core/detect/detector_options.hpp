@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "core/geometry/angles.hpp"
+
+namespace scanbed {
+
+/// How a scan is cut into segments (paper, II-A).
+struct SegmentationOptions {
+  double max_gap_m = 0.08;  ///< neighbouring points farther apart than this belong to different segments
+  int min_points = 2;       ///< smaller segments are dropped; 2 rejects isolated points
+  void validate() const;    ///< @throws InputError naming the first field out of range
+};
+
+enum class CircleMethod { kOff, kInscribedAngle };
+
+/// Circles by inscribed angle variance (paper, II-B to II-D).
+struct CircleOptions {
+  CircleMethod method = CircleMethod::kInscribedAngle;
+  double max_std_rad = 0.15;  ///< above 8.6 deg "arc-like" shapes are accepted too, after the V-corner test
+  double min_average_rad = radians(90.0);   ///< smaller: more than half a circle in view, which no laser sees
+  double max_average_rad = radians(135.0);  ///< larger: flatter arcs are taken for circles
+  double min_length_m = 0.15;               ///< chord of the segment; smaller segments are not tried
+  double max_length_m = 99.999;             ///< chord of the segment; larger segments are not tried
+  int min_points = 4;                       ///< segments with fewer points are not tried
+  bool prerequisite =
+      true;  ///< test the middle point first (eq. 4): saves time, drops flat and deep segments
+  double min_depth_ratio = 0.1;  ///< of the middle point below the chord, per chord length
+  double max_depth_ratio = 0.7;
+  bool in_lines =
+      true;  ///< look for arcs in what the lines leave over (II-B.2); finds only what line.max_error_m spares
+  void validate() const;
+};
+
+enum class LineMethod { kOff, kRecursiveFit, kInscribedAngle };
+
+/// Lines by recursive fitting (paper, II-F) or by inscribed angles of 180 degrees (II-B.1).
+struct LineOptions {
+  LineMethod method = LineMethod::kRecursiveFit;
+  double min_length_m = 0.15;                       ///< between the ends; shorter runs are dropped
+  int min_points = 5;                               ///< runs with fewer points are dropped
+  double max_error_m = 0.1;                         ///< a run splits where a point lies farther off its line
+  double max_average_deviation_rad = radians(8.6);  ///< inscribed-angle method: from 180 degrees
+  double max_std_rad = 0.15;                        ///< inscribed-angle method
+  void validate() const;
+};
+
+/// Legs by their size and shape (paper, II-E).
+struct LegOptions {
+  bool enabled = true;
+  double min_width_m = 0.10;  ///< chord of the segment
+  double max_width_m = 0.25;
+  int min_points = 3;
+  double min_depth_ratio = 0.1;  ///< as for circles
+  double max_depth_ratio = 0.7;
+  void validate() const;
+};
+
+/// All options of the detection pipeline: segmentation, circles, lines, legs.
+struct DetectorOptions {
+  SegmentationOptions segmentation;
+  CircleOptions circle;
+  LineOptions line;
+  LegOptions leg;
+  void validate() const;
+};
+
+/// Table II's defaults: the paper's detectors as it describes them.
+inline DetectorOptions paper_options() {
+  return {};
+}
+
+}  // namespace scanbed

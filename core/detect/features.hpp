@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace scanbed {
+
+/// Beams of a scan, both ends included: Table I's fields 1 and 2.
+struct BeamSpan {
+  int first = 0;
+  int last = 0;
+};
+
+/// Table I, column Line; sensor frame S. y = slope * x + bias; both are empty for a line along y.
+struct Line {
+  BeamSpan beams;
+  Eigen::Vector2d left_m = Eigen::Vector2d::Zero();   ///< end at beams.first, on the fitted line
+  Eigen::Vector2d right_m = Eigen::Vector2d::Zero();  ///< end at beams.last, on the fitted line
+  std::optional<double> slope;
+  std::optional<double> bias_m;
+  int num_points = 0;
+  double error_m = 0.0;  ///< largest distance of a point to the line
+  double score = 0.0;    ///< [0, 1]
+};
+
+/// Table I, column Circle; sensor frame S.
+struct Circle {
+  BeamSpan beams;
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+  double radius_m = 0.0;
+  double average_rad = 0.0;  ///< mean inscribed angle
+  double std_rad = 0.0;      ///< standard deviation of the inscribed angles
+  double score = 0.0;        ///< [0, 1]
+};
+
+/// Table I, column Leg; sensor frame S.
+struct Leg {
+  BeamSpan beams;
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();  ///< the segment's middle point
+  double score = 0.0;                                  ///< [0, 1]
+};
+
+/// What one scan holds. Each list rises in beams.first.
+struct Features {
+  std::vector<Line> lines;
+  std::vector<Circle> circles;
+  std::vector<Leg> legs;
+
+  void clear() {
+    lines.clear();
+    circles.clear();
+    legs.clear();
+  }
+};
+
+}  // namespace scanbed

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "core/geometry/angles.hpp"
+
+namespace scanbed {
+
+/// When each beam of a sweep is measured. An interlaced scan consists of several rotations: with two, as in
+/// the LMS 200 at 0.5 degrees, even beams come from the first and odd beams from the second.
+struct BeamTiming {
+  int num_rotations = 1;    ///< rotations interlaced into one scan, >= 1
+  double rotation_s = 0.0;  ///< from the start of one rotation to the start of the next
+  double step_s = 0.0;      ///< between consecutive beams of one rotation
+
+  /// Time of beam i after the scan's own time.
+  double offset_s(int beam) const {
+    return (beam % num_rotations) * rotation_s + (beam / num_rotations) * step_s;
+  }
+};
+
+/// Where the beams of a scan point. Sensor frame S: x forward, y left, angles counter-clockwise from x (REP
+/// 103); beam 0 is the rightmost. The default is the LMS 200's 180 degrees at 0.5 degrees.
+struct ScanGeometry {
+  int num_beams = 361;
+  double first_rad = -kPi / 2;
+  double step_rad = kPi / 360;  ///< negative for a sensor that turns clockwise
+  double min_range_m = 0.0;
+  double max_range_m = std::numeric_limits<double>::infinity();
+  BeamTiming timing;
+
+  double bearing_rad(int beam) const { return first_rad + beam * step_rad; }
+
+  friend bool operator==(const ScanGeometry& a, const ScanGeometry& b) {
+    return a.num_beams == b.num_beams && a.first_rad == b.first_rad && a.step_rad == b.step_rad;
+  }
+};
+
+}  // namespace scanbed

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/detect/features.hpp"
+#include "core/scan/laser_scan.hpp"
+#include "sim/world/world.hpp"
+#include "sim/world/world_state.hpp"
+
+namespace scanbed::sim {
+
+/// 8-bit RGB, rows from the top.
+struct Image {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<std::uint8_t> rgb;  ///< 3 * width_px * height_px
+};
+
+enum class View {
+  kTop,
+  kCamera,
+  kLaser
+};  ///< plan from above, oblique over the whole scene, from the laser along its x axis
+
+struct PictureOptions {
+  int width_px = 960;
+  int height_px = 720;
+  View view = View::kCamera;
+  void validate() const;  ///< @throws InputError naming the first field out of range
+};
+
+/// Off-screen pictures of a world (MuJoCo drawn by OSMesa) with a scan and its features drawn over it: lines
+/// red, circles green, legs purple, as in the paper.
+class ScenePainter {
+ public:
+  /// Builds the three-dimensional scene once. @throws InputError, SensorFault (kSimulator) where MuJoCo
+  /// refuses it.
+  ScenePainter(const World& world, const PictureOptions& options);
+  ~ScenePainter();
+  ScenePainter(const ScenePainter&) = delete;
+  ScenePainter& operator=(const ScenePainter&) = delete;
+
+  /// @param scan, features  in the sensor frame of state.X_WR * robot.X_RS.
+  /// @param caption         one line at the top of the picture.
+  Image paint(const WorldState& state, const LaserScan& scan, const Features& features,
+              const std::string& caption);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Writes to a temporary name beside `path`, then renames. @throws InputError where the file cannot be
+/// written.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+}  // namespace scanbed::sim

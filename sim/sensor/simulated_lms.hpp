@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/scan/range_sensor.hpp"
+#include "sim/sensor/lms_options.hpp"
+#include "sim/world/world.hpp"
+#include "sim/world/world_state.hpp"
+
+namespace scanbed::sim {
+
+struct SimulationOptions {
+  LmsOptions lms;
+  double duration_s = 10.0;  ///< the stream ends after the last scan that starts before it
+  std::uint64_t seed = 1;
+};
+
+/// A simulated LMS 200 in a planar world: world -> ideal returns -> LMS model -> 13-bit words -> LaserScan.
+class SimulatedLms final : public RangeSensor {
+ public:
+  /// @throws InputError where world or options do not validate.
+  SimulatedLms(World world, const SimulationOptions& options);
+  ~SimulatedLms() override;
+
+  const ScanGeometry& geometry() const override;
+  bool next(LaserScan& scan, Seconds timeout) override;
+  const Truth* truth() const override;
+
+  const World& world() const;
+
+  /// The moving things at the time of the scan that next() gave last (before the first: at time 0).
+  const WorldState& state() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scanbed::sim

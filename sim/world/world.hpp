@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/geometry/pose2.hpp"
+
+namespace scanbed::sim {
+
+/// How a surface answers the laser.
+struct Material {
+  double reflectivity = 0.5;  ///< diffuse, (0, 1]
+};
+
+/// Thin upright walls along a polyline; each edge is one wall, named "<id>.<n>" from 0 in truth.
+struct WallChain {
+  std::vector<Eigen::Vector2d> corners_m;  ///< p_WQ, at least 2, no two neighbours equal
+  bool closed = false;                     ///< the last corner joins the first
+};
+
+struct Cylinder {
+  Eigen::Vector2d center_m = Eigen::Vector2d::Zero();  ///< p_WC
+  double radius_m = 0.25;
+};
+
+struct Box {
+  Pose2 X_WB;                                             ///< of its centre
+  Eigen::Vector2d size_m = Eigen::Vector2d::Constant(1);  ///< along its x and y axes
+};
+
+/// Convex outline, counter-clockwise.
+struct Polygon {
+  std::vector<Eigen::Vector2d> corners_m;  ///< p_WQ, at least 3
+};
+
+using SolidShape = std::variant<WallChain, Cylinder, Box, Polygon>;
+
+/// A thing that stands still. A laser at height h meets it if bottom_m <= h <= top_m.
+struct Solid {
+  std::string id;
+  std::string label;  ///< what it is: "wall", "column", "bench", "box", ...
+  SolidShape shape;
+  double bottom_m = 0.0;
+  double top_m = 2.5;
+  Material material;
+};
+
+/// A polyline that a walker follows at its speed.
+struct Path {
+  std::vector<Eigen::Vector2d> points_m;  ///< p_WQ, at least 2
+  bool loop = false;                      ///< back to the first point and round again; else stand at the end
+  double round_m = 0.0;                   ///< radius at which corners are rounded; 0 turns on the spot
+  bool leave = false;                     ///< at the end of an open path the walker vanishes
+};
+
+/// A cylinder pulled over the floor on a rope.
+struct Tow {
+  std::string id;
+  std::string label = "mobile_cylinder";
+  double radius_m = 0.25;
+  double height_m = 1.0;
+  double rope_m = 0.9;  ///< from the walker's pelvis to the cylinder's surface, when taut
+  double mass_kg = 8.0;
+  double friction = 0.3;  ///< Coulomb, between cylinder and floor
+};
+
+/// A person. Legs are cylinders at the laser's height, in truth "<id>.left_leg" and "<id>.right_leg".
+struct Walker {
+  std::string id;
+  Path path;
+  double speed_m_per_s = 1.37;
+  double start_s = 0.0;        ///< the walker is not in the world before
+  double leg_radius_m = 0.06;  ///< at the laser's height
+  double leg_length_m = 0.93;  ///< hip above the floor
+  double step_width_m = 0.10;  ///< between the feet, across the direction of walking
+  double height_m = 1.75;
+  std::optional<Tow> tow;
+};
+
+// Steps of a robot's drive plan, one after the other; it stands still when they are done.
+struct Wait {
+  double duration_s = 0.0;
+};
+struct Turn {
+  double angle_rad = 0.0;  ///< counter-clockwise; more than a full turn is possible
+};
+struct Go {
+  double distance_m = 0.0;  ///< ahead; negative goes backwards
+};
+using DriveStep = std::variant<Wait, Turn, Go>;
+
+/// The robot that carries the laser.
+struct Robot {
+  Pose2 X_WR;                    ///< at the start
+  Pose2 X_RS;                    ///< laser on the robot, in the plane
+  double laser_height_m = 0.28;  ///< above the floor
+  double speed_m_per_s = 0.3;    ///< of Go
+  double turn_rad_per_s = 0.5;   ///< of Turn
+  double radius_m = 0.22;        ///< body: for pictures and collisions
+  std::vector<DriveStep> drive;
+};
+
+/// All that a scenario puts into the world; every engine is built from it.
+struct World {
+  std::vector<Solid> solids;
+  std::vector<Walker> walkers;
+  Robot robot;
+
+  /// @throws InputError naming the first object that cannot be: equal ids, sizes that are not positive and
+  /// finite, a
+  ///         walker's path or the robot inside a solid, ...
+  void validate() const;
+};
+
+}  // namespace scanbed::sim
