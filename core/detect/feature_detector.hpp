@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "core/detect/detector_options.hpp"
 #include "core/detect/features.hpp"
+#include "core/detect/line_detector.hpp"
+#include "core/detect/points.hpp"
 #include "core/detect/segmentation.hpp"
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
 
-/// The detection pipeline: segmentation, then circles, then lines in what is no circle, arcs in what the
-/// lines leave over, and legs. Keeps its buffers, so that it allocates nothing once it has seen the largest
-/// scan.
+/// The detection pipeline: segmentation; circles; lines in what is no circle; arcs in what the lines leave
+/// over; legs. Keeps its buffers, so that it allocates nothing once it has seen its largest scan.
+///
+/// @par Source  The paper, II. Circles come before lines, which would otherwise cut every cylinder into
+/// polygons.
 class FeatureDetector {
  public:
   /// @throws InputError where the options do not validate.
@@ -19,13 +25,16 @@ class FeatureDetector {
   const DetectorOptions& options() const { return options_; }
 
   /// Features of one scan, in its sensor frame; valid until the next call. Beams without echo belong to no
-  /// feature. Any number of beams, any range values.
+  /// feature. Any number of beams and any range values are fine.
   const Features& detect(const LaserScan& scan);
 
  private:
-  void detect_in_segment(const Segment& segment);
+  void detect_in_segment(const LaserScan& scan, const Segment& segment);
+  void detect_arcs_beside_lines(const Segment& segment, int first_line);
 
   DetectorOptions options_;
+  PointProjector projector_;
+  LineDetector line_detector_;
   Points points_;
   std::vector<Segment> segments_;
   Features features_;

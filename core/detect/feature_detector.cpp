@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/feature_detector.hpp"
+
+#include <optional>
+
+#include "core/detect/circle_detector.hpp"
+#include "core/detect/leg_detector.hpp"
+
+namespace scanbed {
+namespace {
+
+const DetectorOptions& validated(const DetectorOptions& options) {
+  options.validate();
+  return options;
+}
+
+}  // namespace
+
+FeatureDetector::FeatureDetector(const DetectorOptions& options)
+    : options_(validated(options)), line_detector_(options.line) {}
+
+const Features& FeatureDetector::detect(const LaserScan& scan) {
+  features_.clear();
+  projector_.project(scan, points_);
+  segment_points(points_, options_.segmentation, segments_);
+  for (const Segment& segment : segments_) detect_in_segment(scan, segment);
+  return features_;
+}
+
+void FeatureDetector::detect_in_segment(const LaserScan& scan, const Segment& segment) {
+  std::optional<Circle> circle;
+  if (options_.circle.method != CircleMethod::kOff) circle = detect_circle(points_, segment, options_.circle);
+  if (circle) {
+    features_.circles.push_back(*circle);
+  } else {
+    const int first_line = static_cast<int>(features_.lines.size());
+    line_detector_.detect(points_, segment, features_.lines);
+    detect_arcs_beside_lines(segment, first_line);
+  }
+  if (const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg)) {
+    features_.legs.push_back(*leg);
+  }
+}
+
+void FeatureDetector::detect_arcs_beside_lines(const Segment& segment, int first_line) {
+  const int num_lines = static_cast<int>(features_.lines.size());
+  if (options_.circle.method == CircleMethod::kOff || !options_.circle.in_lines || first_line == num_lines) {
+    return;
+  }
+  const int first_beam = points_.beam[segment.first];
+  const auto index_of = [&](int beam) { return segment.first + beam - first_beam; };
+  int first_left_over = segment.first;
+  for (int i = first_line; i <= num_lines; ++i) {
+    const bool past_last = i == num_lines;
+    const Segment left_over{first_left_over,
+                            past_last ? segment.last : index_of(features_.lines[i].beams.first) - 1};
+    if (const auto arc = detect_circle(points_, left_over, options_.circle))
+      features_.circles.push_back(*arc);
+    if (!past_last) first_left_over = index_of(features_.lines[i].beams.last) + 1;
+  }
+}
+
+}  // namespace scanbed
