@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "core/score/scorer.hpp"
+
+#include "core/errors/ensure.hpp"
+#include "core/score/match_lines.hpp"
+#include "core/score/match_round.hpp"
+
+namespace scanbed {
+
+Scorer::Scorer(const MatchOptions& options) : options_(options) {
+  options_.validate();
+}
+
+void Scorer::add(const Features& features, const LaserScan& scan, const Truth& truth) {
+  SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
+  ++scores_.num_scans;
+  match_lines(features.lines, scan, truth, options_, scores_.line);
+  match_circles(features.circles, truth, options_, scores_.circle);
+  match_legs(features.legs, truth, options_, scores_.leg);
+}
+
+}  // namespace scanbed

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "core/score/visibility.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "core/errors/ensure.hpp"
+#include "core/score/wall_pieces.hpp"
+
+namespace scanbed {
+namespace {
+
+constexpr int kMinBeams = 3;
+constexpr int kMinCircleBeams = 6;
+constexpr int kMinLegBeams = 4;
+constexpr double kMinFrontRatio = 0.9;
+
+bool round_object_is_resolvable(const ObjectTruth& object, int num_beams, const ScanGeometry& geometry) {
+  const int min_clean = object.primitive == Primitive::kLeg ? kMinLegBeams : kMinCircleBeams;
+  if (object.num_clean_beams < min_clean) return false;
+  return num_beams >= kMinFrontRatio * num_unobstructed_beams(object.center_m, object.radius_m, geometry);
+}
+
+}  // namespace
+
+int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const ScanGeometry& geometry) {
+  const double step_rad = std::abs(geometry.step_rad);
+  const double distance_m = p_SC.norm();
+  if (distance_m <= radius_m) return static_cast<int>(std::lround(2.0 * kPi / step_rad));
+  const double bearing_rad = std::atan2(p_SC.y(), p_SC.x());
+  const double half_width_rad = std::asin(radius_m / distance_m);
+  // Beams stand on a grid that goes on beyond the field of view; count its lines between the two tangents.
+  const double first = std::ceil((bearing_rad - half_width_rad - geometry.first_rad) / step_rad);
+  const double last = std::floor((bearing_rad + half_width_rad - geometry.first_rad) / step_rad);
+  return static_cast<int>(last - first) + 1;
+}
+
+void classify_visibility(Truth& truth, const LaserScan& scan) {
+  SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
+  std::vector<int> num_beams(truth.objects.size(), 0);
+  for (ObjectTruth& object : truth.objects) object.num_clean_beams = 0;
+  for (int i = 0; i < scan.num_beams(); ++i) {
+    const BeamTruth& beam = truth.beams[i];
+    if (beam.object == kNoObject || !scan.has_echo(i)) continue;
+    ++num_beams[beam.object];
+    if (!beam.mixed) ++truth.objects[beam.object].num_clean_beams;
+  }
+  for (std::size_t k = 0; k < truth.objects.size(); ++k) {
+    ObjectTruth& object = truth.objects[k];
+    object.visibility = num_beams[k] < kMinBeams ? Visibility::kHidden : Visibility::kMarginal;
+    if (object.primitive != Primitive::kCircle && object.primitive != Primitive::kLeg) continue;
+    if (round_object_is_resolvable(object, num_beams[k], scan.geometry)) {
+      object.visibility = Visibility::kResolvable;
+    }
+  }
+  for (const WallPiece& piece : visible_wall_pieces(truth, scan)) {
+    if (piece.is_resolvable()) truth.objects[piece.object].visibility = Visibility::kResolvable;
+  }
+}
+
+}  // namespace scanbed
