@@ -2,10 +2,11 @@
 #pragma once
 
 #include "core/geometry/angles.hpp"
+#include "core/scan/lms_word.hpp"
 
 namespace scanbed::sim {
 
-enum class RangeUnit { kMillimetre, kCentimetre };
+using scanbed::RangeUnit;
 
 /// The simulated SICK LMS 200. Every effect can be switched off.
 struct LmsOptions {
