@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/feature_detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/detect/table_two.hpp"
+#include "core/errors/input_error.hpp"
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+using testing::IdealScene;
+using testing::with_noise;
+
+LaserScan scan_of(std::vector<double> range_m) {
+  LaserScan scan;
+  scan.geometry.num_beams = static_cast<int>(range_m.size());
+  scan.range_m = std::move(range_m);
+  return scan;
+}
+
+bool is_empty(const Features& f) {
+  return f.lines.empty() && f.circles.empty() && f.legs.empty();
+}
+
+TEST(FeatureDetectorTest, FindsTheWallsTheColumnAndTheLegOfAHall) {
+  IdealScene hall;
+  hall.wall({-1.0, -3.0}, {5.0, -3.0});
+  hall.wall({5.0, -3.0}, {5.0, 3.0});
+  hall.wall({5.0, 3.0}, {-1.0, 3.0});
+  hall.cylinder({3.0, 1.0}, 0.25);
+  hall.cylinder({2.0, -0.5}, 0.07, Primitive::kLeg);
+  FeatureDetector detector(paper_options());
+  const Features& features = detector.detect(with_noise(hall.scan(), 0.002, 3));
+  ASSERT_EQ(features.circles.size(), 1u);
+  // Two end points carry the whole estimate; the gate of the scores is 0.10 m.
+  EXPECT_NEAR((features.circles[0].center_m - Eigen::Vector2d(3.0, 1.0)).norm(), 0.0, 0.10);
+  ASSERT_EQ(features.legs.size(), 1u);
+  EXPECT_NEAR((features.legs[0].middle_m - Eigen::Vector2d(2.0, -0.5)).norm(), 0.07, 0.02);
+  EXPECT_GE(features.lines.size(), 3u);
+}
+
+TEST(FeatureDetectorTest, CirclesComeFirstSoThatLinesMakeNoPolygonsOfThem) {
+  IdealScene scene;
+  scene.cylinder({3.0, 0.0}, 0.5);
+  const LaserScan scan = scene.scan();
+  FeatureDetector detector(paper_options());
+  EXPECT_TRUE(detector.detect(scan).lines.empty());
+  DetectorOptions no_circles = paper_options();
+  set_table_two(no_circles, "circles", 0);
+  EXPECT_FALSE(FeatureDetector(no_circles).detect(scan).lines.empty());
+}
+
+// A wedge that points at the sensor: walls at 60 degrees to each other, joined by an arc of radius 1 m and
+// 120 degrees. (The arc of a right-angled corner has inscribed angles of 135 degrees and more: the paper's
+// limit leaves it out.)
+LaserScan round_corner() {
+  const Eigen::Vector2d center_m(3.0, 0.0);
+  const Eigen::Vector2d right_m = center_m + Eigen::Vector2d(std::cos(radians(240)), std::sin(radians(240)));
+  const Eigen::Vector2d along(std::cos(radians(-30)), std::sin(radians(-30)));  // tangent at right_m
+  IdealScene walls;
+  walls.wall(right_m, right_m + 2.0 * along);
+  walls.wall({right_m.x(), -right_m.y()}, {right_m.x() + 2.0 * along.x(), -right_m.y() - 2.0 * along.y()});
+  LaserScan scan = walls.scan();
+  IdealScene arc_alone;
+  arc_alone.cylinder(center_m, 1.0);
+  const LaserScan arc = arc_alone.scan();
+  for (int i = 0; i < scan.num_beams(); ++i) scan.range_m[i] = std::min(scan.range_m[i], arc.range_m[i]);
+  return scan;
+}
+
+TEST(FeatureDetectorTest, FindsArcsEmbeddedInLinesWithoutSmallPolygons) {
+  DetectorOptions options = paper_options();
+  set_table_two(options, "seg_threshold", 400);  // the wedge's walls are seen at grazing incidence
+  set_table_two(options, "line_err", 0.005);
+  set_table_two(options, "line_min_len", 600);
+  FeatureDetector detector(options);
+  const Features& found = detector.detect(round_corner());
+  EXPECT_EQ(found.lines.size(), 2u);
+  ASSERT_EQ(found.circles.size(), 1u);
+  EXPECT_NEAR((found.circles[0].center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
+  EXPECT_NEAR(found.circles[0].radius_m, 1.0, 0.02);
+  options.circle.in_lines = false;
+  EXPECT_TRUE(FeatureDetector(options).detect(round_corner()).circles.empty());
+}
+
+TEST(FeatureDetectorTest, ScansOfZeroOneOrTwoBeamsHoldNothing) {
+  FeatureDetector detector(paper_options());
+  for (const auto& ranges : {std::vector<double>{}, {1.0}, {1.0, 1.0}}) {
+    EXPECT_TRUE(is_empty(detector.detect(scan_of(ranges)))) << ranges.size();
+  }
+}
+
+TEST(FeatureDetectorTest, ScansWithoutEchoesHoldNothing) {
+  FeatureDetector detector(paper_options());
+  for (const double range_m : {kInvalid, kNoEcho, kTooClose, 0.0}) {
+    EXPECT_TRUE(is_empty(detector.detect(scan_of(std::vector<double>(361, range_m))))) << range_m;
+  }
+}
+
+TEST(FeatureDetectorTest, HugeScansAndHugeRangesAreFine) {
+  FeatureDetector detector(paper_options());
+  LaserScan scan = scan_of(std::vector<double>(10000, 2.0));
+  scan.geometry.step_rad = 2 * kPi / 10000;
+  EXPECT_NO_THROW(detector.detect(scan));
+  EXPECT_NO_THROW(detector.detect(scan_of(std::vector<double>(361, 1e300))));
+}
+
+TEST(FeatureDetectorTest, RefusesOptionsThatDoNotValidate) {
+  DetectorOptions options = paper_options();
+  options.line.max_error_m = -1.0;
+  EXPECT_THROW(FeatureDetector{options}, InputError);
+}
+
+TEST(FeatureDetectorTest, ASensorThatTurnsClockwiseSeesTheSame) {
+  IdealScene scene;
+  scene.cylinder({3.0, 0.7}, 0.3);
+  scene.wall({1.0, -3.0}, {5.0, -2.0});
+  const LaserScan scan = scene.scan();
+  LaserScan clockwise = scan;
+  std::reverse(clockwise.range_m.begin(), clockwise.range_m.end());
+  clockwise.geometry.first_rad = -scan.geometry.first_rad;
+  clockwise.geometry.step_rad = -scan.geometry.step_rad;
+  FeatureDetector one(paper_options());
+  FeatureDetector other(paper_options());
+  const Features& a = one.detect(scan);
+  const Features& b = other.detect(clockwise);
+  ASSERT_EQ(a.circles.size(), 1u);
+  ASSERT_EQ(b.circles.size(), 1u);
+  EXPECT_NEAR((a.circles[0].center_m - b.circles[0].center_m).norm(), 0.0, 1e-9);
+  ASSERT_EQ(a.lines.size(), 1u);
+  ASSERT_EQ(b.lines.size(), 1u);
+  EXPECT_NEAR((a.lines[0].left_m - b.lines[0].right_m).norm(), 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace scanbed
