@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world/solid_geometry.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+std::vector<Edge> edges_along(const std::vector<Vector2d>& corners_m, bool closed) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i + 1 < corners_m.size(); ++i) edges.push_back({corners_m[i], corners_m[i + 1]});
+  if (closed && corners_m.size() > 2) edges.push_back({corners_m.back(), corners_m.front()});
+  return edges;
+}
+
+std::vector<Vector2d> corners_of(const Box& box) {
+  const Vector2d half = 0.5 * box.size_m;
+  return {box.X_WB * Vector2d(-half.x(), -half.y()), box.X_WB * Vector2d(half.x(), -half.y()),
+          box.X_WB * Vector2d(half.x(), half.y()), box.X_WB * Vector2d(-half.x(), half.y())};
+}
+
+struct Outline {
+  std::vector<Edge> operator()(const WallChain& chain) const {
+    return edges_along(chain.corners_m, chain.closed);
+  }
+  std::vector<Edge> operator()(const Cylinder&) const { return {}; }
+  std::vector<Edge> operator()(const Box& box) const { return edges_along(corners_of(box), true); }
+  std::vector<Edge> operator()(const Polygon& polygon) const { return edges_along(polygon.corners_m, true); }
+};
+
+// Of a convex outline that runs counter-clockwise.
+bool is_inside(const std::vector<Edge>& edges, const Vector2d& p_WQ) {
+  return std::all_of(edges.begin(), edges.end(),
+                     [&](const Edge& edge) { return cross(edge.b_m - edge.a_m, p_WQ - edge.a_m) > 0.0; });
+}
+
+}  // namespace
+
+std::vector<Edge> outline(const SolidShape& shape) {
+  return std::visit(Outline{}, shape);
+}
+
+double distance_m(const Edge& edge, const Vector2d& p_WQ) {
+  const Vector2d along = edge.b_m - edge.a_m;
+  const double length_sq = along.squaredNorm();
+  const double t = length_sq > 0.0 ? std::clamp((p_WQ - edge.a_m).dot(along) / length_sq, 0.0, 1.0) : 0.0;
+  return (p_WQ - edge.a_m - t * along).norm();
+}
+
+bool crosses(const Edge& edge, const Vector2d& p_WP, const Vector2d& p_WQ) {
+  const Vector2d along = edge.b_m - edge.a_m;
+  const Vector2d way = p_WQ - p_WP;
+  const bool ends_apart = cross(way, edge.a_m - p_WP) * cross(way, edge.b_m - p_WP) < 0.0;
+  return ends_apart && cross(along, p_WP - edge.a_m) * cross(along, p_WQ - edge.a_m) < 0.0;
+}
+
+double clearance_m(const SolidShape& shape, const Vector2d& p_WQ) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    return (p_WQ - cylinder->center_m).norm() - cylinder->radius_m;
+  }
+  const std::vector<Edge> edges = outline(shape);
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : edges) nearest_m = std::min(nearest_m, distance_m(edge, p_WQ));
+  const bool filled = !std::holds_alternative<WallChain>(shape);
+  return filled && is_inside(edges, p_WQ) ? -nearest_m : nearest_m;
+}
+
+}  // namespace scanbed::sim

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world/world.hpp"
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "core/errors/input_error.hpp"
+#include "sim/world/rounded_path.hpp"
+#include "sim/world/solid_geometry.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector2d;
+
+// The planar engine counts in single precision: within a kilometre its steps stay below 0.1 mm.
+constexpr double kReach_m = 1000.0;
+constexpr double kMinEdge_m = 1e-3;
+
+std::string quoted(const char* kind, const std::string& id) {
+  return std::string(kind) + " '" + id + "'";
+}
+
+void require_positive(double value, const std::string& name) {
+  require(std::isfinite(value) && value > 0.0 && value <= kReach_m, name, value, "> 0, at most 1000");
+}
+
+void require_not_negative(double value, const std::string& name) {
+  require(std::isfinite(value) && value >= 0.0, name, value, "finite, >= 0");
+}
+
+void require_place(const Vector2d& p, const std::string& name) {
+  for (const double value : {p.x(), p.y()}) {
+    require(std::abs(value) <= kReach_m, name, value, "within 1000 m of the origin");
+  }
+}
+
+void require_pose(const Pose2& pose, const std::string& name) {
+  require_place(pose.p_m, name + ": position");
+  require(std::isfinite(pose.theta_rad), name + ": angle_rad", pose.theta_rad, "finite");
+}
+
+void check_corners(const std::vector<Vector2d>& corners_m, bool closed, const std::string& name) {
+  const std::size_t least = closed ? 3 : 2;
+  require(corners_m.size() >= least, name + ": number of corners", static_cast<double>(corners_m.size()),
+          ">= " + std::to_string(least));
+  for (const Vector2d& corner : corners_m) require_place(corner, name + ": corner");
+  for (std::size_t i = closed ? 0 : 1; i < corners_m.size(); ++i) {
+    const double length_m = (corners_m[i] - corners_m[i == 0 ? corners_m.size() - 1 : i - 1]).norm();
+    require(length_m >= kMinEdge_m, name + ": length of the edge that ends at corner " + std::to_string(i),
+            length_m, ">= 0.001 m");
+  }
+}
+
+// Every turn to the left, once round in all: a star turns left too, but twice round.
+void check_convex(const std::vector<Vector2d>& corners_m, const std::string& name) {
+  const std::size_t n = corners_m.size();
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2d before = corners_m[i] - corners_m[(i + n - 1) % n];
+    const Vector2d behind = corners_m[(i + 1) % n] - corners_m[i];
+    const double turn_rad = std::atan2(before.x() * behind.y() - before.y() * behind.x(), before.dot(behind));
+    require(turn_rad > 0.0 && turn_rad < kPi, name + ": turn_rad at corner " + std::to_string(i), turn_rad,
+            "> 0, < pi (convex, counter-clockwise)");
+    sum_rad += turn_rad;
+  }
+  require(sum_rad < 3.0 * kPi, name + ": turns of the outline", sum_rad / (2.0 * kPi), "once round");
+}
+
+struct CheckShape {
+  const std::string& name;
+
+  void operator()(const WallChain& chain) const { check_corners(chain.corners_m, chain.closed, name); }
+  void operator()(const Cylinder& cylinder) const {
+    require_place(cylinder.center_m, name + ": center");
+    require_positive(cylinder.radius_m, name + ": radius_m");
+  }
+  void operator()(const Box& box) const {
+    require_pose(box.X_WB, name);
+    require_positive(box.size_m.x(), name + ": size_m along x");
+    require_positive(box.size_m.y(), name + ": size_m along y");
+  }
+  void operator()(const Polygon& polygon) const {
+    check_corners(polygon.corners_m, true, name);
+    check_convex(polygon.corners_m, name);
+  }
+};
+
+void check_solid(const Solid& solid) {
+  const std::string name = quoted("solid", solid.id);
+  std::visit(CheckShape{name}, solid.shape);
+  require(std::isfinite(solid.bottom_m), name + ": bottom_m", solid.bottom_m, "finite");
+  require(std::isfinite(solid.top_m) && solid.top_m > solid.bottom_m, name + ": top_m", solid.top_m,
+          "finite, > bottom_m");
+  const double reflectivity = solid.material.reflectivity;
+  require(reflectivity > 0.0 && reflectivity <= 1.0, name + ": reflectivity", reflectivity, "(0, 1]");
+}
+
+void check_tow(const Tow& tow) {
+  const std::string name = quoted("towed cylinder", tow.id);
+  require_positive(tow.radius_m, name + ": radius_m");
+  require_positive(tow.height_m, name + ": height_m");
+  require_positive(tow.rope_m, name + ": rope_m");
+  require_positive(tow.mass_kg, name + ": mass_kg");
+  require_not_negative(tow.friction, name + ": friction");
+}
+
+void check_walker(const Walker& walker) {
+  const std::string name = quoted("walker", walker.id);
+  validate_path(walker.path, name);
+  for (const Vector2d& p : walker.path.points_m) require_place(p, name + ": path");
+  require_positive(walker.speed_m_per_s, name + ": speed_m_per_s");
+  require_not_negative(walker.start_s, name + ": start_s");
+  require_positive(walker.leg_radius_m, name + ": leg_radius_m");
+  require_positive(walker.leg_length_m, name + ": leg_length_m");
+  require_not_negative(walker.step_width_m, name + ": step_width_m");
+  require_positive(walker.height_m, name + ": height_m");
+  if (walker.tow) check_tow(*walker.tow);
+}
+
+void check_robot(const Robot& robot) {
+  require_pose(robot.X_WR, "robot");
+  require_pose(robot.X_RS, "robot: laser");
+  require_positive(robot.laser_height_m, "robot: laser_height_m");
+  require_positive(robot.speed_m_per_s, "robot: speed_m_per_s");
+  require_positive(robot.turn_rad_per_s, "robot: turn_rad_per_s");
+  require_positive(robot.radius_m, "robot: radius_m");
+  for (std::size_t i = 0; i < robot.drive.size(); ++i) {
+    const std::string name = "robot: drive step " + std::to_string(i);
+    const DriveStep& step = robot.drive[i];
+    if (const auto* wait = std::get_if<Wait>(&step)) require_not_negative(wait->duration_s, name + ": wait");
+    if (const auto* turn = std::get_if<Turn>(&step)) {
+      require(std::abs(turn->angle_rad) <= 1e3 * kPi, name + ": turn", turn->angle_rad, "at most 500 turns");
+    }
+    if (const auto* go = std::get_if<Go>(&step)) {
+      require(std::abs(go->distance_m) <= kReach_m, name + ": go", go->distance_m, "at most 1000 m");
+    }
+  }
+}
+
+// Ids as truth will name them, so that "hall.1" cannot be both a wall of hall and a column.
+class Ids {
+ public:
+  void add(const std::string& id, const std::string& whose) {
+    if (id.empty()) throw InputError(whose + ": id: is empty; allowed: a name of its own");
+    if (!seen_.insert(id).second) {
+      throw InputError(whose + ": id: '" + id + "' is taken; allowed: a name of its own");
+    }
+  }
+
+ private:
+  std::set<std::string> seen_;
+};
+
+void check_ids(const World& world) {
+  Ids ids;
+  for (const Solid& solid : world.solids) {
+    ids.add(solid.id, quoted("solid", solid.id));
+    const std::size_t num_edges = outline(solid.shape).size();
+    for (std::size_t i = 0; i < num_edges; ++i) {
+      ids.add(solid.id + "." + std::to_string(i), quoted("solid", solid.id));
+    }
+  }
+  for (const Walker& walker : world.walkers) {
+    for (const char* part : {"", ".left_leg", ".right_leg"}) {
+      ids.add(walker.id.empty() ? "" : walker.id + part, quoted("walker", walker.id));
+    }
+    if (walker.tow) ids.add(walker.tow->id, quoted("towed cylinder", walker.tow->id));
+  }
+}
+
+/// Something round that must find room at its start.
+struct Disc {
+  Vector2d center_m;
+  double radius_m;
+  double height_m;  ///< what hangs above it is not in its way
+};
+
+void check_room(const World& world, const Disc& disc, const std::string& name) {
+  for (const Solid& solid : world.solids) {
+    if (solid.bottom_m >= disc.height_m || solid.top_m <= 0.0) continue;
+    const double room_m = clearance_m(solid.shape, disc.center_m);
+    require(room_m >= disc.radius_m, name + ": distance to " + quoted("solid", solid.id), room_m,
+            ">= " + std::to_string(disc.radius_m) + " m, its radius");
+  }
+}
+
+void check_room_of_tow(const World& world, const Tow& tow, const Pose2& X_WP) {
+  const std::string name = quoted("towed cylinder", tow.id) + ": start, a rope's length behind its walker";
+  const Vector2d p_WC = X_WP * Vector2d(-(tow.rope_m + tow.radius_m), 0.0);
+  check_room(world, {p_WC, tow.radius_m, tow.height_m}, name);
+  for (const Solid& solid : world.solids) {
+    if (solid.bottom_m >= tow.height_m) continue;
+    for (const Edge& edge : outline(solid.shape)) {
+      require(!crosses(edge, X_WP.p_m, p_WC),
+              name + ": rope through " + quoted("solid", solid.id) + ": length_m", tow.rope_m,
+              "shorter than to there");
+    }
+  }
+}
+
+void check_room_of_walker(const World& world, const Walker& walker) {
+  const std::string name = quoted("walker", walker.id);
+  const double radius_m = walker.leg_radius_m;
+  const RoundedPath path(walker.path);
+  const Pose2 X_WP = path.pose_at(0.0);
+  check_room(world, {X_WP.p_m, radius_m, walker.height_m}, name + ": start of its path");
+  for (std::size_t i = 0; i < walker.path.points_m.size() && walker.path.round_m == 0.0; ++i) {
+    for (const Solid& solid : world.solids) {
+      if (solid.bottom_m >= walker.height_m || std::holds_alternative<WallChain>(solid.shape)) continue;
+      const double room_m = clearance_m(solid.shape, walker.path.points_m[i]);
+      require(room_m > 0.0,
+              name + ": path point " + std::to_string(i) + ": distance to " + quoted("solid", solid.id),
+              room_m, "> 0 m, outside it");
+    }
+  }
+  if (walker.tow) check_room_of_tow(world, *walker.tow, X_WP);
+}
+
+}  // namespace
+
+void World::validate() const {
+  for (const Solid& solid : solids) check_solid(solid);
+  for (const Walker& walker : walkers) check_walker(walker);
+  check_robot(robot);
+  check_ids(*this);
+  check_room(*this, {robot.X_WR.p_m, robot.radius_m, robot.laser_height_m}, "robot: start");
+  for (const Walker& walker : walkers) check_room_of_walker(*this, walker);
+}
+
+}  // namespace scanbed::sim
