@@ -8,16 +8,10 @@
 #include <string>
 
 #include "core/scan/range_sensor.hpp"
+#include "hw/recording/byte_stream.hpp"
+#include "hw/recording/carmen_message.hpp"
 
 namespace scanbed::hw {
-
-/// How a CARMEN log is read.
-struct CarmenLogOptions {
-  std::string only;  ///< read this message alone ("FLASER", "RAWLASER2", ...); empty reads all laser messages
-  /// Readings from here on mean "no return". The LMS's overflow codes start at 8183 steps: 81.83 m in
-  /// centimetres.
-  double no_return_m = 81.83;
-};
 
 /// What a log held, counted as it is read.
 struct CarmenLogCounts {
@@ -26,23 +20,36 @@ struct CarmenLogCounts {
   std::int64_t num_other_lines = 0;  ///< comments, parameters, odometry and other messages that carry no scan
 };
 
-/// Scans of a CARMEN log, plain or gzip, streaming: FLASER, RLASER, RAWLASER1..4, ROBOTLASER1..2.
+/// Scans of a CARMEN log, plain or gzip, streaming: FLASER, RLASER, RAWLASER1..4, ROBOTLASER1..2. Which of
+/// the two it is the first bytes say, not the name. Memory does not grow with the file. What the messages
+/// mean: parse_carmen_line.
 class CarmenLog final : public RangeSensor {
  public:
   /// Called for each damaged line, which is then skipped: a message with file and line number.
   using Report = std::function<void(const std::string&)>;
 
-  /// @throws InputError where the file is missing, unreadable or empty, or the options do not validate.
+  /// Reads on to the first scan, so that geometry() is known.
+  /// @param report  may be empty.
+  /// @throws InputError where the file is missing, unreadable, empty or holds no scan, or the options do not
+  ///         validate.
   CarmenLog(const std::filesystem::path& path, const CarmenLogOptions& options, Report report);
+
+  /// Reads any bytes; `name` is what messages call them.
+  /// @throws InputError where they hold no scan or the options do not validate.
+  CarmenLog(std::unique_ptr<ByteStream> bytes, std::string name, const CarmenLogOptions& options,
+            Report report);
   ~CarmenLog() override;
 
+  /// Of the scan that next() gave last; of the first one before that.
   const ScanGeometry& geometry() const override;
 
-  /// @throws InputError when the end is reached and the file held no scan, or where compressed data is cut
-  /// off or
-  ///         damaged (after all complete lines before it were given).
+  /// Never waits. A scan without time has the time of the scan before it, or 0.
+  /// @throws InputError where compressed data is cut off or damaged, after all scans on complete lines before
+  ///         that were given.
+  /// @throws SensorFault where the operating system fails to read the file.
   bool next(LaserScan& scan, Seconds timeout) override;
 
+  /// Of what was read so far: one scan more than next() gave until its first call.
   const CarmenLogCounts& counts() const;
 
  private:

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace scanbed::hw {
+
+/// How a stream of bytes came to its end.
+enum class StreamEnd {
+  kClean,    ///< everything was read
+  kCutOff,   ///< packed data stops in the middle
+  kDamaged,  ///< packed data does not unpack, or its checksum is wrong
+};
+
+/// Bytes that are read once, front to back.
+class ByteStream {
+ public:
+  ByteStream() = default;
+  ByteStream(const ByteStream&) = delete;
+  ByteStream& operator=(const ByteStream&) = delete;
+  virtual ~ByteStream() = default;
+
+  /// Fills the front of `out` (not empty) and returns how many bytes it wrote; 0 only at the end, and so it
+  /// stays.
+  /// @throws SensorFault of kind kDisconnected where the operating system fails to read.
+  virtual std::size_t read(std::span<char> out) = 0;
+
+  /// How the stream ended, once read() has returned 0.
+  virtual StreamEnd end() const { return StreamEnd::kClean; }
+};
+
+/// Bytes of a file or of anything else that open(2) opens.
+/// @throws InputError where the file is missing, may not be read, is a folder, or is empty.
+std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path);
+
+/// Bytes that are in memory already.
+std::unique_ptr<ByteStream> from_memory(std::string bytes);
+
+/// The bytes of `packed`, unpacked where they begin with the two magic bytes of gzip, else as they are. Reads
+/// several gzip members in a row, and zero bytes after the last one (padding of tapes and disks), as gzip(1)
+/// does.
+/// @par Source RFC 1952, section 2.3; inflation by zlib.
+std::unique_ptr<ByteStream> unpack(std::unique_ptr<ByteStream> packed);
+
+}  // namespace scanbed::hw

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "hw/recording/carmen_log.hpp"
+
+#include <utility>
+
+#include "core/errors/input_error.hpp"
+#include "hw/recording/line_reader.hpp"
+
+namespace scanbed::hw {
+
+struct CarmenLog::Impl {
+  std::string name;
+  CarmenLogOptions options;
+  Report report;
+  LineReader lines;
+  CarmenLogCounts counts;
+  LaserScan scan;         // read last; the next one to give where is_ahead
+  ScanGeometry geometry;  // of the last scan; that of `scan` may be a damaged line's
+  bool is_ahead = false;  // the first scan is read before it is asked for
+  double time_s = 0.0;    // of the last scan that had one
+
+  bool read_scan();
+  CarmenLine read_line(const TextLine& line);
+  void check_end() const;
+};
+
+CarmenLine CarmenLog::Impl::read_line(const TextLine& line) {
+  if (!line.is_too_long) return parse_carmen_line(line.text, options, scan);
+  return {.kind = CarmenLine::Kind::kDamaged, .has_time = false, .damage = "longer than 1 MiB"};
+}
+
+/// Reads the next scan into `scan`; false at the end.
+bool CarmenLog::Impl::read_scan() {
+  TextLine line;
+  while (lines.next(line)) {
+    const CarmenLine read = read_line(line);
+    switch (read.kind) {
+      case CarmenLine::Kind::kBlank:
+        break;
+      case CarmenLine::Kind::kOther:
+        ++counts.num_other_lines;
+        break;
+      case CarmenLine::Kind::kDamaged:
+        ++counts.num_damaged_lines;
+        if (report) report(name + ":" + std::to_string(line.number) + ": line skipped: " + read.damage);
+        break;
+      case CarmenLine::Kind::kScan:
+        if (read.has_time) time_s = scan.time_s;
+        scan.time_s = time_s;
+        scan.index = counts.num_scans++;
+        geometry = scan.geometry;
+        return true;
+    }
+  }
+  check_end();
+  return false;
+}
+
+void CarmenLog::Impl::check_end() const {
+  if (lines.end() == StreamEnd::kClean) return;
+  throw InputError(name + ": compressed data is " +
+                   (lines.end() == StreamEnd::kCutOff ? "cut off" : "damaged") + " after " +
+                   std::to_string(counts.num_scans) + " scans");
+}
+
+CarmenLog::CarmenLog(const std::filesystem::path& path, const CarmenLogOptions& options, Report report)
+    : CarmenLog(open_file(path), path.string(), options, std::move(report)) {}
+
+CarmenLog::CarmenLog(std::unique_ptr<ByteStream> bytes, std::string name, const CarmenLogOptions& options,
+                     Report report)
+    : impl_(new Impl{.name = std::move(name),
+                     .options = options,
+                     .report = std::move(report),
+                     .lines = LineReader(unpack(std::move(bytes))),
+                     .counts = {},
+                     .scan = {}}) {
+  options.validate();
+  impl_->is_ahead = impl_->read_scan();
+  if (impl_->is_ahead) return;
+  throw InputError(impl_->name + ": holds no scan of a CARMEN log" +
+                   (options.only.empty() ? "" : " named " + options.only) + " (" +
+                   std::to_string(impl_->counts.num_damaged_lines) + " damaged lines, " +
+                   std::to_string(impl_->counts.num_other_lines) + " others)");
+}
+
+CarmenLog::~CarmenLog() = default;
+
+const ScanGeometry& CarmenLog::geometry() const {
+  return impl_->geometry;
+}
+
+bool CarmenLog::next(LaserScan& scan, Seconds /*timeout*/) {
+  if (!std::exchange(impl_->is_ahead, false) && !impl_->read_scan()) return false;
+  scan = impl_->scan;
+  return true;
+}
+
+const CarmenLogCounts& CarmenLog::counts() const {
+  return impl_->counts;
+}
+
+}  // namespace scanbed::hw
