@@ -16,7 +16,8 @@ struct BeamTiming {
 
   /// Time of beam i after the scan's own time.
   double offset_s(int beam) const {
-    return (beam % num_rotations) * rotation_s + (beam / num_rotations) * step_s;
+    const int place = beam / num_rotations;  // of the beam within its rotation
+    return (beam % num_rotations) * rotation_s + place * step_s;
   }
 };
 
