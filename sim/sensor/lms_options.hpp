@@ -17,7 +17,10 @@ struct LmsOptions {
   double scan_period_s = 0.2;               ///< between scans: 5 Hz is what a 38400 baud link carries
   bool interlace = true;                    ///< odd beams are measured one rotation later
   double rotation_s = 1.0 / 75.0;           ///< of the mirror
-  void validate() const;                    ///< @throws InputError naming the first field out of range
+
+  int num_beams() const;
+  int num_rotations() const;  ///< interlaced into one scan: one per degree / step, or 1 without interlace
+  void validate() const;      ///< @throws InputError naming the first field out of range
 };
 
 }  // namespace scanbed::sim

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "sim/planar/planar_engine.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "core/errors/ensure.hpp"
+#include "sim/planar/floor_physics.hpp"
+#include "sim/world/drive_plan.hpp"
+#include "sim/world/gait.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+constexpr double kSubsteps_per_s = 300.0;
+
+const World& validated(const World& world) {
+  world.validate();
+  return world;
+}
+
+}  // namespace
+
+struct PlanarEngine::Impl {
+  explicit Impl(const World& world);
+  void follow_script(double time_s, WorldState& out) const;
+  void step_physics();
+  void place_tows();
+
+  DrivePlan drive;
+  std::vector<Gait> gaits;
+  SliceObjects slice_objects;
+  std::optional<FloorPhysics> physics;  ///< only where something is towed
+  std::int64_t num_substeps = 0;
+  WorldState before;  ///< at the last substep but one
+  WorldState behind;  ///< at the last substep
+  WorldState state;
+  PlanarSlice slice;
+};
+
+PlanarEngine::Impl::Impl(const World& world) : drive(world.robot), slice_objects(world) {
+  bool tows = false;
+  for (std::size_t i = 0; i < world.walkers.size(); ++i) {
+    gaits.emplace_back(world.walkers[i], static_cast<int>(i), world.robot.laser_height_m);
+    tows = tows || world.walkers[i].tow.has_value();
+  }
+  follow_script(0.0, state);
+  if (tows) {
+    physics.emplace(world, state);
+    physics->step_to(state);
+  }
+  before = state;
+  behind = state;
+  slice_objects.slice_at(state, slice);
+}
+
+void PlanarEngine::Impl::follow_script(double time_s, WorldState& out) const {
+  out.time_s = time_s;
+  out.X_WR = drive.pose_at(time_s);
+  out.walkers.resize(gaits.size());
+  for (std::size_t i = 0; i < gaits.size(); ++i) out.walkers[i] = gaits[i].state_at(time_s);
+}
+
+void PlanarEngine::Impl::step_physics() {
+  ++num_substeps;
+  std::swap(before, behind);
+  follow_script(static_cast<double>(num_substeps) / kSubsteps_per_s, behind);
+  physics->step_to(behind);
+}
+
+void PlanarEngine::Impl::place_tows() {
+  const double span_s = behind.time_s - before.time_s;
+  const double ratio = span_s > 0.0 ? (state.time_s - before.time_s) / span_s : 1.0;
+  state.tows.resize(behind.tows.size());
+  for (std::size_t i = 0; i < behind.tows.size(); ++i) {
+    const TowState& to = behind.tows[i];
+    const Eigen::Vector2d from_m = before.tows[i].present ? before.tows[i].center_m : to.center_m;
+    state.tows[i] = {to.walker, to.present && state.walkers[to.walker].present,
+                     from_m + ratio * (to.center_m - from_m)};
+  }
+}
+
+PlanarEngine::PlanarEngine(const World& world) : impl_(std::make_unique<Impl>(validated(world))) {}
+
+PlanarEngine::~PlanarEngine() = default;
+
+void PlanarEngine::advance_to(double time_s) {
+  SCANBED_ENSURE(std::isfinite(time_s) && time_s >= impl_->state.time_s);
+  impl_->follow_script(time_s, impl_->state);
+  if (impl_->physics) {
+    while (impl_->behind.time_s < time_s) impl_->step_physics();
+    impl_->place_tows();
+  }
+  impl_->slice_objects.slice_at(impl_->state, impl_->slice);
+}
+
+const WorldState& PlanarEngine::state() const {
+  return impl_->state;
+}
+
+const PlanarSlice& PlanarEngine::slice() const {
+  return impl_->slice;
+}
+
+const std::vector<SliceObject>& PlanarEngine::objects() const {
+  return impl_->slice_objects.objects();
+}
+
+}  // namespace scanbed::sim

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "sim/planar/slice_objects.hpp"
+
+#include "sim/world/solid_geometry.hpp"
+
+namespace scanbed::sim {
+
+SliceObjects::SliceObjects(const World& world) {
+  for (const Solid& solid : world.solids) {
+    if (is_at_height(solid, world.robot.laser_height_m)) add_solid(solid);
+  }
+  first_leg_ = static_cast<int>(objects_.size());
+  for (const Walker& walker : world.walkers) {
+    leg_radius_m_.push_back(walker.leg_radius_m);
+    for (const char* leg : {".left_leg", ".right_leg"}) {
+      objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m});
+    }
+  }
+  for (const Walker& walker : world.walkers) {
+    if (!walker.tow) continue;
+    const bool in_plane = world.robot.laser_height_m <= walker.tow->height_m;
+    tow_object_.push_back(in_plane ? static_cast<int>(objects_.size()) : kNoObject);
+    if (in_plane) {
+      objects_.push_back({walker.tow->id, walker.tow->label, Primitive::kCircle, walker.tow->radius_m});
+    }
+  }
+}
+
+void SliceObjects::add_solid(const Solid& solid) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&solid.shape)) {
+    still_.discs.push_back({cylinder->center_m, cylinder->radius_m, static_cast<int>(objects_.size())});
+    objects_.push_back({solid.id, solid.label, Primitive::kCircle, cylinder->radius_m});
+    return;
+  }
+  int count = 0;
+  for (const Edge& edge : outline(solid.shape)) {
+    still_.segments.push_back({edge.a_m, edge.b_m, static_cast<int>(objects_.size())});
+    objects_.push_back({solid.id + "." + std::to_string(count++), solid.label, Primitive::kLine, 0.0});
+  }
+}
+
+void SliceObjects::slice_at(const WorldState& state, PlanarSlice& slice) const {
+  slice.segments.assign(still_.segments.begin(), still_.segments.end());
+  slice.discs.assign(still_.discs.begin(), still_.discs.end());
+  for (const WalkerState& walker : state.walkers) {
+    if (!walker.present) continue;
+    const double radius_m = leg_radius_m_[walker.walker];
+    const int left = first_leg_ + 2 * walker.walker;
+    slice.discs.push_back({walker.left_leg_m, radius_m, left});
+    slice.discs.push_back({walker.right_leg_m, radius_m, left + 1});
+  }
+  for (std::size_t i = 0; i < state.tows.size(); ++i) {
+    const int object = tow_object_[i];
+    if (!state.tows[i].present || object == kNoObject) continue;
+    slice.discs.push_back({state.tows[i].center_m, objects_[object].radius_m, object});
+  }
+}
+
+}  // namespace scanbed::sim
