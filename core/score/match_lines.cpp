@@ -137,9 +137,11 @@ class LineMatcher {
 
 }  // namespace
 
-void match_lines(const std::vector<Line>& lines, const LaserScan& scan, const Truth& truth,
-                 const MatchOptions& options, KindScore& score) {
+KindScore match_lines(const std::vector<Line>& lines, const LaserScan& scan, const Truth& truth,
+                      const MatchOptions& options) {
+  KindScore score;
   LineMatcher(lines, scan, truth, options).count(score);
+  return score;
 }
 
 }  // namespace scanbed

@@ -11,13 +11,13 @@
 
 namespace scanbed {
 
-/// Compares the detected lines of one scan with the pieces of walls in view, and adds the counts to `score`.
+/// Compares the detected lines of one scan with the pieces of walls in view.
 ///
 /// A line lies on a wall if angle and offset are within the gates. A piece is found if the lines on its wall
 /// together cover enough of it; a line is right if enough of its length covers pieces of walls that it lies
 /// on. So a wall may be found in several lines, and one line may find several collinear walls. Ends are not
 /// compared: occlusion moves them.
-void match_lines(const std::vector<Line>& lines, const LaserScan& scan, const Truth& truth,
-                 const MatchOptions& options, KindScore& score);
+KindScore match_lines(const std::vector<Line>& lines, const LaserScan& scan, const Truth& truth,
+                      const MatchOptions& options);
 
 }  // namespace scanbed

@@ -68,8 +68,8 @@ struct Rules {
   std::function<bool(const ObjectTruth&)> excuses;  // objects on which an unmatched detection is no error
 };
 
-void match(const std::vector<Candidate>& detections, const Truth& truth, const Rules& rules,
-           KindScore& score) {
+KindScore match(const std::vector<Candidate>& detections, const Truth& truth, const Rules& rules) {
+  KindScore score;
   const std::vector<int> object_of = match_nearest_first(detections, truth, rules.gate);
   std::vector<bool> found(truth.objects.size(), false);
   for (std::size_t d = 0; d < detections.size(); ++d) {
@@ -88,13 +88,14 @@ void match(const std::vector<Candidate>& detections, const Truth& truth, const R
     if (object.primitive != rules.primitive || object.visibility != Visibility::kResolvable) continue;
     score.count_truth(object.center_m.norm(), found[k]);
   }
+  return score;
 }
 
 }  // namespace
 
-void match_circles(const std::vector<Circle>& circles, const Truth& truth, const MatchOptions& options,
-                   KindScore& score) {
+KindScore match_circles(const std::vector<Circle>& circles, const Truth& truth, const MatchOptions& options) {
   std::vector<Candidate> candidates;
+  candidates.reserve(circles.size());
   for (const Circle& circle : circles) candidates.push_back({circle.beams, circle.center_m, circle.radius_m});
   const Gate gate = [&](const Candidate& c, const ObjectTruth& object) {
     return object.primitive == Primitive::kCircle &&
@@ -105,12 +106,12 @@ void match_circles(const std::vector<Circle>& circles, const Truth& truth, const
     return object.primitive == Primitive::kLeg ||
            (object.primitive == Primitive::kCircle && object.visibility != Visibility::kResolvable);
   };
-  match(candidates, truth, {Primitive::kCircle, gate, excuses}, score);
+  return match(candidates, truth, {Primitive::kCircle, gate, excuses});
 }
 
-void match_legs(const std::vector<Leg>& legs, const Truth& truth, const MatchOptions& options,
-                KindScore& score) {
+KindScore match_legs(const std::vector<Leg>& legs, const Truth& truth, const MatchOptions& options) {
   std::vector<Candidate> candidates;
+  candidates.reserve(legs.size());
   for (const Leg& leg : legs) candidates.push_back({leg.beams, leg.middle_m, 0.0});
   const Gate gate = [&](const Candidate& c, const ObjectTruth& object) {
     return object.primitive == Primitive::kLeg &&
@@ -120,7 +121,7 @@ void match_legs(const std::vector<Leg>& legs, const Truth& truth, const MatchOpt
     return (object.primitive == Primitive::kCircle && object.radius_m < options.narrow_cylinder_m) ||
            (object.primitive == Primitive::kLeg && object.visibility != Visibility::kResolvable);
   };
-  match(candidates, truth, {Primitive::kLeg, gate, excuses}, score);
+  return match(candidates, truth, {Primitive::kLeg, gate, excuses});
 }
 
 }  // namespace scanbed

@@ -13,12 +13,10 @@ namespace scanbed {
 /// Compares the circles of one scan with its true cylinders, one to one and nearest first, and adds the
 /// counts to `score`. A circle on a true leg, or on a cylinder that need not be found, is neither right nor
 /// wrong.
-void match_circles(const std::vector<Circle>& circles, const Truth& truth, const MatchOptions& options,
-                   KindScore& score);
+KindScore match_circles(const std::vector<Circle>& circles, const Truth& truth, const MatchOptions& options);
 
 /// The same for legs. A leg on a true cylinder narrower than options.narrow_cylinder_m is neither right nor
 /// wrong.
-void match_legs(const std::vector<Leg>& legs, const Truth& truth, const MatchOptions& options,
-                KindScore& score);
+KindScore match_legs(const std::vector<Leg>& legs, const Truth& truth, const MatchOptions& options);
 
 }  // namespace scanbed

@@ -14,9 +14,9 @@ Scorer::Scorer(const MatchOptions& options) : options_(options) {
 void Scorer::add(const Features& features, const LaserScan& scan, const Truth& truth) {
   SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
   ++scores_.num_scans;
-  match_lines(features.lines, scan, truth, options_, scores_.line);
-  match_circles(features.circles, truth, options_, scores_.circle);
-  match_legs(features.legs, truth, options_, scores_.leg);
+  scores_.line += match_lines(features.lines, scan, truth, options_);
+  scores_.circle += match_circles(features.circles, truth, options_);
+  scores_.leg += match_legs(features.legs, truth, options_);
 }
 
 }  // namespace scanbed

@@ -28,6 +28,16 @@ double Tally::rms_error_m() const {
   return num_right == 0 ? 0.0 : std::sqrt(sum_squared_error_m2 / num_right);
 }
 
+Tally& Tally::operator+=(const Tally& other) {
+  num_truths += other.num_truths;
+  num_found += other.num_found;
+  num_detections += other.num_detections;
+  num_right += other.num_right;
+  num_neither += other.num_neither;
+  sum_squared_error_m2 += other.sum_squared_error_m2;
+  return *this;
+}
+
 double RangeBand::recall() const {
   return ratio_or_one(num_found, num_truths);
 }
@@ -47,6 +57,15 @@ void KindScore::count_truth(double distance_m, bool found) {
   if (!found) return;
   ++bands[band].num_found;
   ++tally.num_found;
+}
+
+KindScore& KindScore::operator+=(const KindScore& other) {
+  tally += other.tally;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    bands[i].num_truths += other.bands[i].num_truths;
+    bands[i].num_found += other.bands[i].num_found;
+  }
+  return *this;
 }
 
 double Scores::false_per_scan(const KindScore& kind) const {

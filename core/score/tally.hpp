@@ -21,6 +21,7 @@ struct Tally {
   double recall() const;
   /// Root mean square error of the right detections; 0 where there is none.
   double rms_error_m() const;
+  Tally& operator+=(const Tally& other);
 };
 
 /// What there was to find in a band of ranges, and what of it was found.
@@ -41,6 +42,7 @@ struct KindScore {
 
   KindScore();
   void count_truth(double distance_m, bool found);
+  KindScore& operator+=(const KindScore& other);
 };
 
 /// Scores of all scans seen so far.

@@ -21,6 +21,26 @@ bool round_object_is_resolvable(const ObjectTruth& object, int num_beams, const 
   return num_beams >= kMinFrontRatio * num_unobstructed_beams(object.center_m, object.radius_m, geometry);
 }
 
+// Counts the beams on each object: all into the result, the clean ones into the object.
+std::vector<int> count_beams(Truth& truth, const LaserScan& scan) {
+  std::vector<int> num_beams(truth.objects.size(), 0);
+  for (ObjectTruth& object : truth.objects) object.num_clean_beams = 0;
+  for (int i = 0; i < scan.num_beams(); ++i) {
+    const BeamTruth& beam = truth.beams[i];
+    if (beam.object == kNoObject || !scan.has_echo(i)) continue;
+    ++num_beams[beam.object];
+    if (!beam.mixed) ++truth.objects[beam.object].num_clean_beams;
+  }
+  return num_beams;
+}
+
+Visibility visibility_of(const ObjectTruth& object, int num_beams, const ScanGeometry& geometry) {
+  if (num_beams < kMinBeams) return Visibility::kHidden;
+  const bool is_round = object.primitive == Primitive::kCircle || object.primitive == Primitive::kLeg;
+  return is_round && round_object_is_resolvable(object, num_beams, geometry) ? Visibility::kResolvable
+                                                                             : Visibility::kMarginal;
+}
+
 }  // namespace
 
 int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const ScanGeometry& geometry) {
@@ -37,21 +57,9 @@ int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const S
 
 void classify_visibility(Truth& truth, const LaserScan& scan) {
   SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
-  std::vector<int> num_beams(truth.objects.size(), 0);
-  for (ObjectTruth& object : truth.objects) object.num_clean_beams = 0;
-  for (int i = 0; i < scan.num_beams(); ++i) {
-    const BeamTruth& beam = truth.beams[i];
-    if (beam.object == kNoObject || !scan.has_echo(i)) continue;
-    ++num_beams[beam.object];
-    if (!beam.mixed) ++truth.objects[beam.object].num_clean_beams;
-  }
+  const std::vector<int> num_beams = count_beams(truth, scan);
   for (std::size_t k = 0; k < truth.objects.size(); ++k) {
-    ObjectTruth& object = truth.objects[k];
-    object.visibility = num_beams[k] < kMinBeams ? Visibility::kHidden : Visibility::kMarginal;
-    if (object.primitive != Primitive::kCircle && object.primitive != Primitive::kLeg) continue;
-    if (round_object_is_resolvable(object, num_beams[k], scan.geometry)) {
-      object.visibility = Visibility::kResolvable;
-    }
+    truth.objects[k].visibility = visibility_of(truth.objects[k], num_beams[k], scan.geometry);
   }
   for (const WallPiece& piece : visible_wall_pieces(truth, scan)) {
     if (piece.is_resolvable()) truth.objects[piece.object].visibility = Visibility::kResolvable;

@@ -19,9 +19,7 @@ Line line_from(Eigen::Vector2d left_m, Eigen::Vector2d right_m, BeamSpan beams =
 }
 
 Tally tally_of(const IdealScene& scene, const std::vector<Line>& lines) {
-  KindScore score;
-  match_lines(lines, scene.scan(), scene.truth(), {}, score);
-  return score.tally;
+  return match_lines(lines, scene.scan(), scene.truth(), {}).tally;
 }
 
 IdealScene wall_ahead() {

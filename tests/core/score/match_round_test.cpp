@@ -26,15 +26,11 @@ Leg leg_at(Eigen::Vector2d middle_m, BeamSpan beams = {0, 1}) {
 }
 
 Tally circles_in(const IdealScene& scene, const std::vector<Circle>& circles) {
-  KindScore score;
-  match_circles(circles, scene.truth(), {}, score);
-  return score.tally;
+  return match_circles(circles, scene.truth(), {}).tally;
 }
 
 Tally legs_in(const IdealScene& scene, const std::vector<Leg>& legs) {
-  KindScore score;
-  match_legs(legs, scene.truth(), {}, score);
-  return score.tally;
+  return match_legs(legs, scene.truth(), {}).tally;
 }
 
 IdealScene column_ahead() {
