@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/canvas.hpp"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "core/errors/ensure.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+constexpr double kFullTurn_rad = 6.283185307179586;
+
+// Length of the well-formed UTF-8 sequence of printable text that starts at `i`; 0 where there is none.
+std::size_t utf8_length(const std::string& text, std::size_t i) {
+  const auto lead = static_cast<unsigned char>(text[i]);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  const std::size_t length = lead >= 0xc2 && lead < 0xe0 ? 2 : (lead & 0xf0) == 0xe0 ? 3 : 0;
+  if (length == 0 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return 0;
+  }
+  const auto second = static_cast<unsigned char>(text[i + 1]);
+  const bool overlong_or_surrogate = (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second >= 0xa0);
+  return overlong_or_surrogate ? 0 : length;
+}
+
+// Cairo goes into an error state, and draws nothing more, once it meets bytes that are no UTF-8.
+std::string printable(const std::string& text) {
+  std::string clean;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    clean += length == 0 ? "?" : text.substr(i, length);
+    i += length == 0 ? 1 : length;
+  }
+  return clean;
+}
+
+void set_color(cairo_t* cairo, const Rgba& color) {
+  cairo_set_source_rgba(cairo, color[0], color[1], color[2], color[3]);
+}
+
+void set_font(cairo_t* cairo, const TextStyle& style) {
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, style.size_px);
+}
+
+// Cairo counts in 24 bits before the point; what is farther out is far outside every picture.
+double bounded(double value_px) {
+  constexpr double kMax_px = 4e6;
+  return std::clamp(value_px, -kMax_px, kMax_px);
+}
+
+void trace(cairo_t* cairo, const Canvas::Polyline& points_px) {
+  for (std::size_t i = 0; i < points_px.size(); ++i) {
+    const Eigen::Vector2d p(bounded(points_px[i].x()), bounded(points_px[i].y()));
+    i == 0 ? cairo_move_to(cairo, p.x(), p.y()) : cairo_line_to(cairo, p.x(), p.y());
+  }
+}
+
+}  // namespace
+
+void Canvas::Destroyer::operator()(_cairo* context) const {
+  cairo_destroy(context);
+}
+void Canvas::Destroyer::operator()(_cairo_surface* surface) const {
+  cairo_surface_destroy(surface);
+}
+
+Canvas::Canvas(const Image& background)
+    : width_px_(background.width_px),
+      height_px_(background.height_px),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, background.width_px, background.height_px)),
+      cairo_(cairo_create(surface_.get())) {
+  SCANBED_ENSURE(cairo_status(cairo_.get()) == CAIRO_STATUS_SUCCESS);
+  cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+  unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+  const int stride = cairo_image_surface_get_stride(surface_.get());
+  const std::uint8_t* rgb = background.rgb.data();
+  for (int row = 0; row < height_px_; ++row) {
+    for (int column = 0; column < width_px_; ++column, rgb += 3) {
+      const std::uint32_t pixel = std::uint32_t{rgb[0]} << 16U | std::uint32_t{rgb[1]} << 8U | rgb[2];
+      std::memcpy(rows + static_cast<std::ptrdiff_t>(row) * stride + 4 * column, &pixel, sizeof pixel);
+    }
+  }
+  cairo_surface_mark_dirty(surface_.get());
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::stroke(const std::vector<Polyline>& lines, const Stroke& style) {
+  cairo_new_path(cairo_.get());
+  for (const Polyline& line : lines) {
+    if (line.size() >= 2) trace(cairo_.get(), line);
+  }
+  set_color(cairo_.get(), style.color);
+  cairo_set_line_width(cairo_.get(), style.width_px);
+  cairo_set_line_cap(cairo_.get(), style.round_ends ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+  cairo_stroke(cairo_.get());
+}
+
+void Canvas::fill(const Polyline& outline, const Rgba& color) {
+  cairo_new_path(cairo_.get());
+  trace(cairo_.get(), outline);
+  cairo_close_path(cairo_.get());
+  set_color(cairo_.get(), color);
+  cairo_fill(cairo_.get());
+}
+
+void Canvas::dots(const Polyline& centers, double radius_px, const Rgba& color) {
+  set_color(cairo_.get(), color);
+  for (const Eigen::Vector2d& center : centers) {
+    cairo_new_path(cairo_.get());
+    cairo_arc(cairo_.get(), bounded(center.x()), bounded(center.y()), radius_px, 0.0, kFullTurn_rad);
+    cairo_fill(cairo_.get());
+  }
+}
+
+void Canvas::text(const Eigen::Vector2d& at_px, const std::string& text, const TextStyle& style) {
+  set_font(cairo_.get(), style);
+  set_color(cairo_.get(), style.color);
+  cairo_move_to(cairo_.get(), at_px.x(), at_px.y());
+  cairo_show_text(cairo_.get(), printable(text).c_str());
+}
+
+double Canvas::text_width_px(const std::string& text, const TextStyle& style) {
+  set_font(cairo_.get(), style);
+  cairo_text_extents_t extents{};
+  cairo_text_extents(cairo_.get(), printable(text).c_str(), &extents);
+  return extents.x_advance;
+}
+
+Image Canvas::image() const {
+  cairo_surface_flush(surface_.get());
+  const unsigned char* rows = cairo_image_surface_get_data(surface_.get());
+  const int stride = cairo_image_surface_get_stride(surface_.get());
+  Image result{width_px_, height_px_, {}};
+  result.rgb.resize(3 * static_cast<std::size_t>(width_px_) * height_px_);
+  std::uint8_t* rgb = result.rgb.data();
+  for (int row = 0; row < height_px_; ++row) {
+    for (int column = 0; column < width_px_; ++column, rgb += 3) {
+      std::uint32_t pixel = 0;
+      std::memcpy(&pixel, rows + static_cast<std::ptrdiff_t>(row) * stride + 4 * column, sizeof pixel);
+      rgb[0] = static_cast<std::uint8_t>(pixel >> 16U);
+      rgb[1] = static_cast<std::uint8_t>(pixel >> 8U);
+      rgb[2] = static_cast<std::uint8_t>(pixel);
+    }
+  }
+  return result;
+}
+
+}  // namespace scanbed::sim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/scene_picture.hpp"
+
+#include <utility>
+
+#include "core/errors/input_error.hpp"
+#include "sim/render/canvas.hpp"
+#include "sim/render/cutaway.hpp"
+#include "sim/render/picture_frame.hpp"
+#include "sim/render/scan_overlay.hpp"
+#include "sim/render/scene_pen.hpp"
+#include "sim/render/scene_renderer.hpp"
+#include "sim/render/view_camera.hpp"
+#include "sim/spatial/mjcf.hpp"
+#include "sim/spatial/mujoco_model.hpp"
+#include "sim/spatial/pose_actors.hpp"
+#include "sim/spatial/world_bounds.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+const PictureOptions& validated(const PictureOptions& options) {
+  options.validate();
+  return options;
+}
+
+// Where the camera looks is turned a little from where the robot looks, so that its beams do not hide behind
+// it.
+constexpr double kAside_rad = radians(-18.0);
+
+}  // namespace
+
+void PictureOptions::validate() const {
+  require(width_px >= 64 && width_px <= 4096, "picture.width_px", width_px, "[64, 4096]");
+  require(height_px >= 64 && height_px <= 4096, "picture.height_px", height_px, "[64, 4096]");
+}
+
+struct ScenePainter::Impl {
+  Impl(World scene_world, const PictureOptions& picture_options)
+      : world(std::move(scene_world)),
+        options(validated(picture_options)),
+        bounds(world_bounds(world)),
+        model(load_model(mjcf_of(world))),
+        data(make_data(*model)),
+        renderer(*model, {options.width_px, options.height_px}) {
+    renderer.cast_shadows(options.view != View::kTop);
+    if (options.view == View::kCamera) {
+      const Eigen::Vector2d middle_m = bounds.center().head<2>();
+      cut_away_walls(world, fixed_camera().X_WC.translation().head<2>(), middle_m, *model);
+    }
+  }
+
+  ViewCamera fixed_camera() const {
+    const PictureSize size{options.width_px, options.height_px};
+    if (options.view == View::kTop) return plan_camera(bounds, size, {});
+    return oblique_camera(bounds, world.robot.X_WR.theta_rad + kAside_rad, size, {});
+  }
+
+  Eigen::Isometry3d laser_pose(const WorldState& state) const {
+    const Pose2 X_WS = state.X_WR * world.robot.X_RS;
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() << X_WS.p_m, world.robot.laser_height_m;
+    pose.linear() = Eigen::AngleAxisd(X_WS.theta_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return pose;
+  }
+
+  ViewCamera camera(const Eigen::Isometry3d& X_WS) const {
+    if (options.view != View::kLaser) return fixed_camera();
+    // The robot itself is nearer than what is shown.
+    const double near_m = world.robot.X_RS.p_m.norm() + world.robot.radius_m + 0.02;
+    const DepthRange depth{near_m, near_m + 2.0 * bounds.diagonal().norm()};
+    return laser_camera(X_WS, depth, {options.width_px, options.height_px});
+  }
+
+  // In the plan nothing may hide the scan; along the beams they would only make a mess.
+  OverlayStyle overlay_style() const {
+    OverlayStyle style;
+    style.scale = options.height_px / 720.0;
+    style.beams = options.view != View::kLaser;
+    style.ribbon_m = options.view == View::kLaser ? 0.05 : 0.0;
+    return style;
+  }
+  InkOptions ink() const { return {.hidden_ratio = options.view == View::kTop ? 1.0 : 0.28}; }
+
+  World world;
+  PictureOptions options;
+  Eigen::AlignedBox3d bounds;
+  ModelPtr model;
+  DataPtr data;
+  SceneRenderer renderer;
+};
+
+ScenePainter::ScenePainter(const World& world, const PictureOptions& options)
+    : impl_(std::make_unique<Impl>(world, options)) {}
+
+ScenePainter::~ScenePainter() = default;
+
+Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const Features& features,
+                          const std::string& caption) {
+  Impl& self = *impl_;
+  pose_actors(self.world, state, *self.model, *self.data);
+  const Eigen::Isometry3d X_WS = self.laser_pose(state);
+  const ViewCamera camera = self.camera(X_WS);
+  const RenderedScene scene = self.renderer.render(*self.data, camera);
+
+  Canvas canvas(scene.image);
+  ScenePen pen(canvas, camera, scene.depth_m, self.ink());
+  draw_scan(pen, X_WS, scan, self.overlay_style());
+  draw_features(pen, X_WS, features, self.overlay_style());
+  draw_caption(canvas, caption);
+  draw_legend(canvas, features, self.options.view == View::kTop ? "" : "floor tiles: 1 m");
+  if (self.options.view == View::kTop) draw_plan_scale(canvas, camera);
+  return canvas.image();
+}
+
+}  // namespace scanbed::sim
