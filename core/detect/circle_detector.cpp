@@ -2,18 +2,24 @@
 #include "core/detect/circle_detector.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "core/detect/inscribed_angles.hpp"
 
 namespace scanbed {
 namespace {
 
+constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+
 bool worth_analysing(const Points& points, const Segment& segment, const CircleOptions& options) {
   if (segment.num_points() < options.min_points) return false;
   const double length_m = (points[segment.last] - points[segment.first]).norm();
   if (length_m <= options.min_length_m || length_m >= options.max_length_m) return false;
-  return !options.prerequisite ||
-         bulges_like_an_arc(points, segment, options.min_depth_ratio, options.max_depth_ratio);
+  // Folded angles do not tell a hollow from a bulge: without the prerequisite at least the side must be
+  // right.
+  const double min_ratio = options.prerequisite ? options.min_depth_ratio : 0.0;
+  const double max_ratio = options.prerequisite ? options.max_depth_ratio : kAnyDepth;
+  return bulges_like_an_arc(points, segment, min_ratio, max_ratio);
 }
 
 // The three things that raise the paper's confidence (II-B): points in between, tightness, an average near 90
@@ -30,7 +36,7 @@ double score_of(int num_points, const InscribedAngles& angles, const CircleOptio
 std::optional<Circle> detect_circle(const Points& points, const Segment& segment,
                                     const CircleOptions& options) {
   if (!worth_analysing(points, segment, options)) return std::nullopt;
-  const std::optional<InscribedAngles> angles = inscribed_angles(points, segment);
+  const std::optional<InscribedAngles> angles = inscribed_angles(points, segment, BehindChord::kFolded);
   if (!angles || angles->std_rad >= options.max_std_rad) return std::nullopt;
   if (angles->average_rad < options.min_average_rad || angles->average_rad > options.max_average_rad) {
     return std::nullopt;

@@ -8,16 +8,18 @@
 
 namespace scanbed {
 
-double inscribed_angle_rad(const Chord& chord, const Eigen::Vector2d& p_SQ) {
+double inscribed_angle_rad(const Chord& chord, const Eigen::Vector2d& p_SQ, BehindChord behind) {
   const Eigen::Vector2d to_first_m = chord.from_m - p_SQ;
   const Eigen::Vector2d to_last_m = chord.to_m - p_SQ;
   const double cross = to_first_m.x() * to_last_m.y() - to_first_m.y() * to_last_m.x();
   // |cross| is chord length times distance from the chord; its sign says on which side the point lies.
   const double angle_rad = std::atan2(std::abs(cross), to_first_m.dot(to_last_m));
-  return chord.depth_m(p_SQ) < 0.0 ? 2.0 * kPi - angle_rad : angle_rad;
+  const bool reflex = behind == BehindChord::kReflex && chord.depth_m(p_SQ) < 0.0;
+  return reflex ? 2.0 * kPi - angle_rad : angle_rad;
 }
 
-std::optional<InscribedAngles> inscribed_angles(const Points& points, const Segment& segment) {
+std::optional<InscribedAngles> inscribed_angles(const Points& points, const Segment& segment,
+                                                BehindChord behind) {
   const int num_inner = segment.num_points() - 2;
   if (num_inner < 1) return std::nullopt;
   const Chord chord = chord_of(points, segment);
@@ -25,7 +27,7 @@ std::optional<InscribedAngles> inscribed_angles(const Points& points, const Segm
   double sum_of_squares = 0.0;
   for (int k = segment.first + 1; k < segment.last; ++k) {
     // From pi, so that the squares of a line's angles do not cancel.
-    const double from_pi = inscribed_angle_rad(chord, points[k]) - kPi;
+    const double from_pi = inscribed_angle_rad(chord, points[k], behind) - kPi;
     sum += from_pi;
     sum_of_squares += from_pi * from_pi;
   }
@@ -36,7 +38,7 @@ std::optional<InscribedAngles> inscribed_angles(const Points& points, const Segm
 
 bool is_v_corner(const Points& points, const Segment& segment) {
   const Chord chord = chord_of(points, segment);
-  const auto angle = [&](int k) { return inscribed_angle_rad(chord, points[k]); };
+  const auto angle = [&](int k) { return inscribed_angle_rad(chord, points[k], BehindChord::kFolded); };
   int smallest = segment.first + 1;
   for (int k = smallest + 1; k < segment.last; ++k) {
     if (angle(k) < angle(smallest)) smallest = k;

@@ -66,7 +66,7 @@ LineDetector::Fit LineDetector::fit(const Points& points, const Segment& run) co
 
 bool LineDetector::accepts(const Points& points, const Segment& run, const Fit& fit) const {
   if (options_.method == LineMethod::kRecursiveFit) return fit.error_m <= options_.max_error_m;
-  const std::optional<InscribedAngles> angles = inscribed_angles(points, run);
+  const std::optional<InscribedAngles> angles = inscribed_angles(points, run, BehindChord::kReflex);
   return angles && std::abs(angles->average_rad - kPi) <= options_.max_average_deviation_rad &&
          angles->std_rad <= options_.max_std_rad;
 }

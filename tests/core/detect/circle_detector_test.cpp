@@ -52,6 +52,21 @@ TEST(CircleDetectorTest, StraightRunsAreNoCircles) {
   EXPECT_FALSE(circle_of(points, {.prerequisite = false}));
 }
 
+TEST(CircleDetectorTest, AHollowIsNoCircleEvenWithoutThePrerequisite) {
+  Points hollow = arc({3.0, 0.0}, 0.3, radians(120), 13);
+  for (double& x_m : hollow.x_m) x_m = 5.0 - x_m;  // mirrored: bulges away from the sensor
+  EXPECT_FALSE(circle_of(hollow));
+  EXPECT_FALSE(circle_of(hollow, {.prerequisite = false}));
+}
+
+TEST(CircleDetectorTest, APointThatNoisePutsBehindTheChordSpoilsNoArc) {
+  Points points = arc({3.0, 0.0}, 0.3, radians(140), 31);
+  points.x_m[1] = points.x_m[0] + 0.004;  // next to the end, 4 mm too far
+  const auto circle = circle_of(points);
+  ASSERT_TRUE(circle);
+  EXPECT_NEAR((circle->center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
+}
+
 Points trunk() {  // bark: radius 0.3 m give or take 5 %, in no even pattern
   Points points = arc({3.0, 0.0}, 0.3, radians(150), 15);
   const double swell_ratio[] = {1.0,  1.02, 0.95, 1.05, 0.97, 1.0,  0.95, 1.04,
