@@ -7,7 +7,7 @@
 
 namespace scanbed::sim {
 
-inline constexpr double kCoarseAtan2Error_rad = 1.1e-5;  ///< greatest error of coarse_atan2
+inline constexpr double kCoarseAtan2Error_rad = 1.2e-5;  ///< greatest error of coarse_atan2
 
 /// std::atan2 to within kCoarseAtan2Error_rad, several times faster: for finding the beams that a shape may
 /// cover, never for a range. coarse_atan2(0, 0) is 0; the seam at +-pi is as std::atan2's, up to the error.
