@@ -8,9 +8,6 @@
 
 #include "sim/render/scene_picture.hpp"
 
-struct _cairo;
-struct _cairo_surface;
-
 namespace scanbed::sim {
 
 /// Colour of a stroke, a dot or a text: red, green, blue, opacity in [0, 1].
@@ -56,14 +53,10 @@ class Canvas {
   Image image() const;
 
  private:
-  struct Destroyer {
-    void operator()(_cairo* context) const;
-    void operator()(_cairo_surface* surface) const;
-  };
+  struct Impl;
   int width_px_;
   int height_px_;
-  std::unique_ptr<_cairo_surface, Destroyer> surface_;
-  std::unique_ptr<_cairo, Destroyer> cairo_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace scanbed::sim

@@ -144,13 +144,13 @@ void draw_plan_scale(Canvas& canvas, const ViewCamera& camera) {
     const std::string text = metres(x0_m + i * step_m);
     const double text_px = column_px - 0.5 * canvas.text_width_px(text, style);
     lines.push_back({{column_px, highest_px}, {column_px, lowest_px}});
-    if (text_px > 40.0 * scale) canvas.text({text_px, lowest_px - 6.0 * scale}, text, style);
+    if (text_px > 4.0 * scale) canvas.text({text_px, lowest_px - 6.0 * scale}, text, style);
   }
   const int num_rows = static_cast<int>(height_px / (step_m * grid.px_per_m));
   const double y0_m = step_m * std::floor(grid.y_top_m / step_m);
   for (int i = 0; i <= num_rows; ++i) {
     const double row_px = grid.row_px(y0_m - i * step_m);
-    lines.push_back({{0.0, row_px}, {width_px, row_px}});
+    if (row_px > highest_px && row_px < lowest_px) lines.push_back({{0.0, row_px}, {width_px, row_px}});
     if (row_px > highest_px + 8.0 * scale && row_px < lowest_px - 22.0 * scale) {
       canvas.text({8.0 * scale, row_px + 4.0 * scale}, metres(y0_m - i * step_m), style);
     }

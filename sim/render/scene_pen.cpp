@@ -74,11 +74,13 @@ void ScenePen::trace(const Polyline3& points_W) {
   constexpr double kMaxSteps = 2000.0;
   for (std::size_t i = 0; i + 1 < points_W.size(); ++i) {
     const Eigen::Vector3d edge_m = points_W[i + 1] - points_W[i];
-    const double num_steps = std::clamp(std::ceil(edge_m.norm() / options_.step_m), 1.0, kMaxSteps);
+    const int num_steps =
+        static_cast<int>(std::clamp(std::ceil(edge_m.norm() / options_.step_m), 1.0, kMaxSteps));
     std::optional<Projection> from = camera_.project(points_W[i]);
-    for (double step = 1.0; step <= num_steps; ++step) {
-      const std::optional<Projection> to = camera_.project(points_W[i] + step / num_steps * edge_m);
-      if (from && to) add_piece(*from, *to, step > 1.0);
+    for (int step = 1; step <= num_steps; ++step) {
+      const std::optional<Projection> to =
+          camera_.project(points_W[i] + static_cast<double>(step) / num_steps * edge_m);
+      if (from && to) add_piece(*from, *to, step > 1);
       from = to;
     }
   }

@@ -14,7 +14,7 @@ namespace scanbed::sim {
 struct InkOptions {
   double hidden_ratio =
       0.28;              ///< of the opacity, where something stands in front; 1 ignores what stands there
-  double step_m = 0.05;  ///< a line is visible or hidden in pieces of this length at most
+  double step_m = 0.10;  ///< a line is visible or hidden in pieces of this length at most
 };
 
 /// Draws lines and dots that lie in the world onto a rendered scene.

@@ -29,7 +29,7 @@ void add_look(pugi::xml_node root, const Eigen::AlignedBox3d& bounds) {
   MjcfElement(visual, "quality")
       .set("shadowsize", {2048})
       .set("offsamples", {4})
-      .set("numslices", {24})
+      .set("numslices", {20})
       .set("numstacks", {8});
   MjcfElement(visual, "map").set("shadowclip", {1.15}).set("shadowscale", {1.0});
 }

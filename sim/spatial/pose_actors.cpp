@@ -2,6 +2,7 @@
 #include "sim/spatial/pose_actors.hpp"
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <string>
 
 #include "core/errors/ensure.hpp"
@@ -38,14 +39,14 @@ class Poser {
     SCANBED_ENSURE(id >= 0 && model_.body_mocapid[id] >= 0);
     const int mocap = model_.body_mocapid[id];
     const Eigen::Quaterniond q_WB(X_WB.linear());
-    Eigen::Map<Eigen::Vector3d>(data_.mocap_pos + 3 * mocap) = X_WB.translation();
-    Eigen::Map<Eigen::Vector4d>(data_.mocap_quat + 4 * mocap) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
+    Eigen::Map<Eigen::Vector3d>(mocap_pos(mocap)) = X_WB.translation();
+    Eigen::Map<Eigen::Vector4d>(mocap_quat(mocap)) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
   }
 
   void put_all_away() const {
     for (int i = 0; i < model_.nmocap; ++i) {
-      Eigen::Map<Eigen::Vector3d>(data_.mocap_pos + 3 * i) = Eigen::Vector3d(0.0, 0.0, kAbsent_m);
-      Eigen::Map<Eigen::Vector4d>(data_.mocap_quat + 4 * i) << 1.0, 0.0, 0.0, 0.0;
+      Eigen::Map<Eigen::Vector3d>(mocap_pos(i)) = Eigen::Vector3d(0.0, 0.0, kAbsent_m);
+      Eigen::Map<Eigen::Vector4d>(mocap_quat(i)) << 1.0, 0.0, 0.0, 0.0;
     }
   }
 
@@ -72,6 +73,9 @@ class Poser {
   }
 
  private:
+  mjtNum* mocap_pos(std::ptrdiff_t mocap) const { return data_.mocap_pos + 3 * mocap; }
+  mjtNum* mocap_quat(std::ptrdiff_t mocap) const { return data_.mocap_quat + 4 * mocap; }
+
   enum class Side { kLeft, kRight };
 
   const Walker& walker(int index) const {
