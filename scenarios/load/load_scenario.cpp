@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load/load_scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/errors/input_error.hpp"
+#include "scenarios/load/sections.hpp"
+#include "scenarios/load/table.hpp"
+#include "scenarios/load/yaml.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr double kLongest_s = 86'400.0;
+
+bool is_name(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+// A scenario's name becomes part of file names.
+std::string load_name(const Value& value) {
+  std::string name = value.text();
+  if (!is_name(name)) value.refuse("expected letters, digits, _ and - only, found " + quote(name));
+  return name;
+}
+
+Variables load_variables(const Value& value) {
+  const Table checked_to_be_a_map(value);
+  Variables variables;
+  for (const NodeEntry& entry : value.node().entries) {
+    if (!is_name(entry.key)) refuse(entry.place, "a variable's name has letters, digits, _ and - only");
+    // Those above it in the file are in force already.
+    const double number = Value(entry.value, entry.key, variables).number();
+    variables[entry.key] = number;
+  }
+  return variables;
+}
+
+std::vector<double> load_times(Table& table, std::string_view key, double duration_s) {
+  std::vector<double> times_s;
+  const std::optional<Value> value = table.take(key);
+  if (!value) return times_s;
+  for (const Value& item : value->items()) {
+    times_s.push_back(item.number({.least = 0.0, .greatest = duration_s}));
+  }
+  std::sort(times_s.begin(), times_s.end());
+  return times_s;
+}
+
+void load_outputs(const Value& value, Scenario& scenario) {
+  Table outputs(value);
+  if (const auto section = outputs.take("pictures")) {
+    Table pictures(*section);
+    scenario.pictures.top_s = load_times(pictures, "top", scenario.duration_s);
+    scenario.pictures.camera_s = load_times(pictures, "camera", scenario.duration_s);
+    scenario.pictures.laser_s = load_times(pictures, "laser", scenario.duration_s);
+    pictures.finish();
+  }
+  outputs.finish();
+}
+
+void load_header(Table& table, Scenario& scenario) {
+  const Value schema = table.need("schema");
+  if (schema.count() != 1) schema.refuse("this version reads schema 1");
+  scenario.name = load_name(table.need("name"));
+  scenario.description = table.text("description", "");
+  if (const auto seed = table.take("seed")) {
+    scenario.seed = static_cast<std::uint64_t>(seed->count({.least = 0.0}));
+  }
+  scenario.duration_s = table.need("duration").number({.least = 0.0, .greatest = kLongest_s, .open = true});
+  if (const auto reason = table.take("known_fail")) scenario.known_fail = reason->text();
+}
+
+Scenario load_tree(const Value& root) {
+  Scenario scenario;
+  Table table(root);
+  table.take("vars");  // read before
+  load_header(table, scenario);
+  if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
+  if (const auto robot = table.take("robot")) load_robot(*robot, scenario.world.robot);
+  if (const auto world = table.take("world")) load_solids(*world, scenario.world.solids);
+  if (const auto actors = table.take("actors")) load_actors(*actors, scenario.world.walkers);
+  if (const auto score = table.take("score")) load_score(*score, scenario);
+  if (const auto outputs = table.take("outputs")) load_outputs(*outputs, scenario);
+  table.finish();
+  return scenario;
+}
+
+// The object whose id a message quotes ("solid 'col_L': ..."; of a bench's foot "'bench_L.foot_0'"), if any.
+const Node* find_named_in(std::string_view message, const Node& node) {
+  for (const NodeEntry& entry : node.entries) {
+    if (entry.key == "id") {
+      const std::string name = "'" + entry.value.text;
+      const bool is_named = message.find(name + "'") != std::string_view::npos ||
+                            message.find(name + ".") != std::string_view::npos;
+      if (is_named) return &node;
+    }
+    if (const Node* found = find_named_in(message, entry.value)) return found;
+  }
+  for (const Node& item : node.items) {
+    if (const Node* found = find_named_in(message, item)) return found;
+  }
+  return nullptr;
+}
+
+// Everything above checks single values; here the parts check each other.
+void validate_parts(const Scenario& scenario, const Node& root) {
+  try {
+    scenario.lms.validate();
+    scenario.match.validate();
+    scenario.world.validate();
+  } catch (const InputError& error) {
+    const Node* named = find_named_in(error.what(), root);
+    refuse(named != nullptr ? named->place : Place{root.place.source, 0, 0}, error.what());
+  }
+}
+
+Scenario load_document(Node root, const std::string& source, std::span<const Setting> settings) {
+  for (const Setting& setting : settings) set_path(root, setting);
+  if (root.kind == Node::Kind::kNothing) throw InputError(source + ": is empty; expected a scenario");
+  const Variables none;
+  const Value whole(root, "scenario", none);
+  // vars are known before anything that may refer to them, wherever they stand in the file.
+  Table peek(whole);
+  const std::optional<Value> section = peek.take("vars");
+  const Variables variables = section ? load_variables(*section) : Variables{};
+  Scenario scenario = load_tree(Value(root, "scenario", variables));
+  validate_parts(scenario, root);
+  return scenario;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& path, std::span<const Setting> settings) {
+  return load_document(read_yaml(path), path.string(), settings);
+}
+
+Scenario parse_scenario(std::string_view text, const std::string& source, std::span<const Setting> settings) {
+  return load_document(parse_yaml(text, source), source, settings);
+}
+
+}  // namespace scanbed::scenarios

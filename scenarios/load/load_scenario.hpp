@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scenarios/load/scenario.hpp"
+#include "scenarios/load/set_path.hpp"
+
+namespace scanbed::scenarios {
+
+/// Reads a scenario file. Lengths in metres, times in seconds, angles in degrees where the key ends in _deg
+/// or the value is a pose [x, y, degrees]; "$R" stands for the number `R` of `vars`.
+///
+/// @param settings  change values of the file before it is checked, in this order.
+/// @throws InputError "file:line:column: ..." for the first thing that does not fit: syntax, unknown or
+///                    duplicate keys (with the nearest known key), wrong types, numbers out of range, a world
+///                    that cannot be.
+Scenario load_scenario(const std::filesystem::path& path, std::span<const Setting> settings = {});
+
+/// The same from text; `source` stands for the file's name in messages.
+Scenario parse_scenario(std::string_view text, const std::string& source,
+                        std::span<const Setting> settings = {});
+
+}  // namespace scanbed::scenarios

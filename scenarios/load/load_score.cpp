@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "core/geometry/angles.hpp"
+#include "scenarios/load/nearest_name.hpp"
+#include "scenarios/load/sections.hpp"
+#include "scenarios/load/table.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr Allowed kGate{.least = 0.0, .greatest = 10.0, .open = true};
+constexpr Allowed kShare{.least = 0.0, .greatest = 1.0};
+
+// What a bound may be: shares lie in [0, 1], the others only are not negative.
+Allowed allowed_bound(const Metric& metric) {
+  switch (metric.measure) {
+    case Measure::kPrecision:
+    case Measure::kRecall:
+    case Measure::kRecallInBand:
+      return kShare;
+    case Measure::kFalsePerScan:
+    case Measure::kRmsError_m:
+    case Measure::kNumTruths:
+      break;
+  }
+  return {.least = 0.0};
+}
+
+// The metrics are a list of names rather than keys taken one by one: the bounds keep the file's order.
+void load_needs(const Value& value, FeatureKind kind, std::vector<Need>& needs) {
+  const Table checked_to_be_a_map(value);
+  for (const NodeEntry& entry : value.node().entries) {
+    const std::optional<Metric> metric = find_metric(entry.key);
+    if (!metric) {
+      refuse(entry.place,
+             fmt::format("unknown key {}{}", quote(entry.key), name_hint(entry.key, metric_names(), "keys")));
+    }
+    const Value bound(entry.value, entry.key, value.variables());
+    needs.push_back({kind, *metric, bound.number(allowed_bound(*metric))});
+  }
+}
+
+void load_line_gate(Table& gate, MatchOptions& match) {
+  match.line_angle_rad = radians(gate.number("angle_deg", degrees(match.line_angle_rad),
+                                             {.least = 0.0, .greatest = 90.0, .open = true}));
+  match.line_offset_m = gate.number("offset", match.line_offset_m, kGate);
+  match.line_overlap_ratio =
+      gate.number("overlap", match.line_overlap_ratio, {.least = 0.0, .greatest = 1.0, .open = true});
+}
+
+void load_gate(const Value& value, FeatureKind kind, MatchOptions& match) {
+  Table gate(value);
+  switch (kind) {
+    case FeatureKind::kLine:
+      load_line_gate(gate, match);
+      break;
+    case FeatureKind::kCircle:
+      match.circle_center_m = gate.number("center", match.circle_center_m, kGate);
+      match.circle_radius_m = gate.number("radius", match.circle_radius_m, kGate);
+      break;
+    case FeatureKind::kLeg:
+      match.leg_center_m = gate.number("center", match.leg_center_m, kGate);
+      break;
+  }
+  gate.finish();
+}
+
+}  // namespace
+
+void load_score(const Value& value, Scenario& scenario) {
+  Table score(value);
+  for (const FeatureKind kind : {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg}) {
+    const std::optional<Value> section = score.take(to_string(kind));
+    if (!section) continue;
+    Table table(*section);
+    if (const auto gate = table.take("gate")) load_gate(*gate, kind, scenario.match);
+    if (const auto need = table.take("need")) load_needs(*need, kind, scenario.needs);
+    table.finish();
+  }
+  score.finish();
+}
+
+}  // namespace scanbed::scenarios

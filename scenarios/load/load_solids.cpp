@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "scenarios/load/sections.hpp"
+#include "scenarios/load/table.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr Allowed kHeight{.least = 0.0, .greatest = 100.0};
+constexpr Allowed kReflectivity{.least = 0.0, .greatest = 1.0, .open = true};
+constexpr double kSeatThickness_m = 0.05;
+
+sim::Cylinder load_cylinder(const Value& value) {
+  Table table(value);
+  sim::Cylinder cylinder;
+  cylinder.center_m = table.need("at").point_m();
+  cylinder.radius_m = table.need("r").number(kLength);
+  table.finish();
+  return cylinder;
+}
+
+sim::Box load_box(const Value& value) {
+  Table table(value);
+  sim::Box box;
+  box.X_WB = table.need("at").pose();
+  const std::vector<Value> size = table.need("size").items(2);
+  box.size_m = {size[0].number(kLength), size[1].number(kLength)};
+  table.finish();
+  return box;
+}
+
+// What all solids share: id, label, how high they reach, how they answer the laser.
+sim::Solid load_frame(Table& table, std::string_view default_label) {
+  sim::Solid solid;
+  solid.id = table.need("id").text();
+  solid.label = table.text("label", std::string(default_label));
+  solid.bottom_m = table.number("bottom", solid.bottom_m, kHeight);
+  const auto top = table.take("top");
+  if (top) solid.top_m = top->number(kHeight);
+  if (solid.top_m <= solid.bottom_m) {
+    (top ? *top : table.value()).refuse(fmt::format("must be above the bottom, {}", solid.bottom_m));
+  }
+  if (const auto material = table.take("material")) {
+    Table properties(*material);
+    solid.material.reflectivity =
+        properties.number("reflectivity", solid.material.reflectivity, kReflectivity);
+    properties.finish();
+  }
+  return solid;
+}
+
+struct BenchFeet {
+  double radius_m = 0.0;
+  double apart_m = 0.0;  // between their axes
+};
+
+BenchFeet load_feet(const Value& value) {
+  Table table(value);
+  BenchFeet feet;
+  feet.radius_m = table.need("r").number(kLength);
+  const Value apart = table.need("apart");
+  feet.apart_m = apart.number(kLength);
+  if (feet.apart_m <= 2.0 * feet.radius_m) apart.refuse("the feet overlap; allowed: > 2 r");
+  table.finish();
+  return feet;
+}
+
+// A bench is two short cylinders that carry a seat; the laser usually looks below the seat.
+void load_bench(Table& table, std::vector<sim::Solid>& solids) {
+  static const std::array<std::string, 1> kPresets = {"bench"};
+  table.need("use").choice(kPresets);
+  const std::string id = table.need("id").text();
+  const std::string label = table.text("label", "bench");
+  const Pose2 X_WB = table.need("at").pose();
+  const BenchFeet feet = load_feet(table.need("feet"));
+  const double seat_z_m = table.number("seat_z", 0.45, {.least = 0.0, .greatest = 2.0, .open = true});
+  table.finish();
+  for (const int side : {0, 1}) {
+    const Eigen::Vector2d p_BF((side - 0.5) * feet.apart_m, 0.0);
+    solids.push_back({.id = fmt::format("{}.foot_{}", id, side),
+                      .label = label,
+                      .shape = sim::Cylinder{X_WB * p_BF, feet.radius_m},
+                      .top_m = seat_z_m,
+                      .material = {}});
+  }
+  const Eigen::Vector2d seat_size_m(feet.apart_m + 2.0 * feet.radius_m, 2.0 * feet.radius_m);
+  solids.push_back({.id = id + ".seat",
+                    .label = label,
+                    .shape = sim::Box{X_WB, seat_size_m},
+                    .bottom_m = seat_z_m,
+                    .top_m = seat_z_m + kSeatThickness_m,
+                    .material = {}});
+}
+
+struct ShapeKey {
+  const char* key;
+  const char* default_label;
+};
+constexpr std::array kShapeKeys = {ShapeKey{"walls", "wall"}, ShapeKey{"cylinder", "cylinder"},
+                                   ShapeKey{"box", "box"}, ShapeKey{"polygon", "polygon"}};
+
+sim::SolidShape load_shape(const Value& shape, Table& table) {
+  if (shape.name() == "cylinder") return load_cylinder(shape);
+  if (shape.name() == "box") return load_box(shape);
+  if (shape.name() == "polygon") return sim::Polygon{shape.points_m(3)};
+  return sim::WallChain{shape.points_m(2), table.flag("closed", false)};
+}
+
+void load_solid(const Value& value, std::vector<sim::Solid>& solids) {
+  Table table(value);
+  if (table.take("use")) return load_bench(table, solids);
+  std::optional<Value> shape;
+  const char* default_label = "";
+  for (const ShapeKey& candidate : kShapeKeys) {
+    const std::optional<Value> found = table.take(candidate.key);
+    if (!found) continue;
+    if (shape) found->refuse(fmt::format("a second shape beside '{}'", shape->name()));
+    shape = found;
+    default_label = candidate.default_label;
+  }
+  sim::Solid solid = load_frame(table, default_label);
+  if (shape) solid.shape = load_shape(*shape, table);
+  // Unknown keys first: a misspelt shape is better told by its nearest name.
+  table.finish();
+  if (!shape) value.refuse("no shape; one of walls, cylinder, box, polygon, use: bench");
+  solids.push_back(std::move(solid));
+}
+
+}  // namespace
+
+void load_solids(const Value& value, std::vector<sim::Solid>& solids) {
+  for (const Value& item : value.items()) load_solid(item, solids);
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load/need.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+namespace scanbed::scenarios {
+namespace {
+
+std::vector<Metric> make_metrics() {
+  std::vector<Metric> metrics = {{.name = "precision", .measure = Measure::kPrecision},
+                                 {.name = "recall", .measure = Measure::kRecall},
+                                 {.name = "fp_per_scan", .measure = Measure::kFalsePerScan, .at_most = true},
+                                 {.name = "rms_error", .measure = Measure::kRmsError_m, .at_most = true},
+                                 {.name = "truths", .measure = Measure::kNumTruths}};
+  constexpr std::array kEdges_m = {0, 2, 4, 6, 8};
+  for (std::size_t i = 0; i < kEdges_m.size(); ++i) {
+    for (std::size_t j = i + 1; j < kEdges_m.size(); ++j) {
+      metrics.push_back({.name = fmt::format("recall_{}_{}m", kEdges_m[i], kEdges_m[j]),
+                         .measure = Measure::kRecallInBand,
+                         .from_m = kEdges_m[i] * 1.0,
+                         .to_m = kEdges_m[j] * 1.0});
+    }
+  }
+  return metrics;
+}
+
+const std::vector<Metric>& all_metrics() {
+  static const std::vector<Metric> metrics = make_metrics();
+  return metrics;
+}
+
+std::vector<std::string> make_names() {
+  std::vector<std::string> names;
+  for (const Metric& metric : all_metrics()) names.push_back(metric.name);
+  return names;
+}
+
+}  // namespace
+
+std::string_view to_string(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::kLine:
+      return "line";
+    case FeatureKind::kCircle:
+      return "circle";
+    case FeatureKind::kLeg:
+      return "leg";
+  }
+  return "";
+}
+
+std::span<const std::string> metric_names() {
+  static const std::vector<std::string> names = make_names();
+  return names;
+}
+
+std::optional<Metric> find_metric(std::string_view name) {
+  for (const Metric& metric : all_metrics()) {
+    if (metric.name == name) return metric;
+  }
+  return std::nullopt;
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scanbed::scenarios {
+
+enum class FeatureKind { kLine, kCircle, kLeg };
+
+/// "line", "circle" or "leg".
+std::string_view to_string(FeatureKind kind);
+
+enum class Measure { kPrecision, kRecall, kRecallInBand, kFalsePerScan, kRmsError_m, kNumTruths };
+
+/// What a gate measures: one number of a kind's score.
+struct Metric {
+  std::string name;  ///< in scenario files: "precision", "recall_0_4m", ...
+  Measure measure = Measure::kPrecision;
+  double from_m = 0.0;  ///< kRecallInBand: truths at ranges of [from_m, to_m)
+  double to_m = 0.0;
+  bool at_most = false;  ///< the bound is the greatest allowed value, not the least
+};
+
+/// "precision", "recall", "recall_0_2m" to "recall_6_8m" (and the wider bands between 0, 2, 4, 6 and 8 m),
+/// "fp_per_scan", "rms_error", "truths".
+std::span<const std::string> metric_names();
+
+/// Empty where the name is none of metric_names().
+std::optional<Metric> find_metric(std::string_view name);
+
+/// One bar that a run must reach.
+struct Need {
+  FeatureKind kind = FeatureKind::kLine;
+  Metric metric;
+  double bound = 0.0;
+};
+
+}  // namespace scanbed::scenarios

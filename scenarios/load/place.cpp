@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load/place.hpp"
+
+#include <fmt/format.h>
+
+#include "core/errors/input_error.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr std::size_t kLongestQuote = 40;
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+}  // namespace
+
+std::string to_string(const Place& place) {
+  const std::string source = place.source ? *place.source : std::string("input");
+  return place.line == 0 ? source : fmt::format("{}:{}:{}", source, place.line, place.column);
+}
+
+void refuse(const Place& place, std::string_view message) {
+  throw InputError(fmt::format("{}: {}", to_string(place), message));
+}
+
+std::string quote(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text.substr(0, kLongestQuote)) result += is_control(c) ? '?' : c;
+  if (text.size() > kLongestQuote) result += "...";
+  return result + "'";
+}
+
+}  // namespace scanbed::scenarios

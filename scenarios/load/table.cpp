@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load/table.hpp"
+
+#include <fmt/format.h>
+
+#include "scenarios/load/nearest_name.hpp"
+
+namespace scanbed::scenarios {
+
+Table::Table(const Value& value) : value_(value), taken_(value.node().entries.size(), false) {
+  if (value.node().kind != Node::Kind::kMap) value.refuse("expected a map of keys and values");
+}
+
+std::optional<Value> Table::take(std::string_view key) {
+  known_.emplace_back(key);
+  const std::vector<NodeEntry>& entries = value_.node().entries;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].key != key) continue;
+    taken_[i] = true;
+    return Value(entries[i].value, entries[i].key, value_.variables());
+  }
+  return std::nullopt;
+}
+
+Value Table::need(std::string_view key) {
+  if (const std::optional<Value> found = take(key)) return *found;
+  value_.refuse(fmt::format("missing key '{}'", key));
+}
+
+double Table::number(std::string_view key, double fallback, const Allowed& allowed) {
+  const std::optional<Value> found = take(key);
+  return found ? found->number(allowed) : fallback;
+}
+
+bool Table::flag(std::string_view key, bool fallback) {
+  const std::optional<Value> found = take(key);
+  return found ? found->flag() : fallback;
+}
+
+std::string Table::text(std::string_view key, std::string fallback) {
+  const std::optional<Value> found = take(key);
+  return found ? found->text() : std::move(fallback);
+}
+
+void Table::finish() const {
+  const std::vector<NodeEntry>& entries = value_.node().entries;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (taken_[i]) continue;
+    const std::string& key = entries[i].key;
+    refuse(entries[i].place, fmt::format("unknown key {}{}", quote(key), name_hint(key, known_, "keys")));
+  }
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/load/value.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angles.hpp"
+#include "scenarios/load/nearest_name.hpp"
+#include "scenarios/load/number.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+std::string_view name_of(Node::Kind kind) {
+  switch (kind) {
+    case Node::Kind::kNothing:
+      return "nothing";
+    case Node::Kind::kScalar:
+      return "a single value";
+    case Node::Kind::kList:
+      return "a list";
+    case Node::Kind::kMap:
+      return "a map";
+  }
+  return "";
+}
+
+bool holds(const Allowed& allowed, double value) {
+  return (allowed.open ? value > allowed.least : value >= allowed.least) && value <= allowed.greatest;
+}
+
+std::string to_text(const Allowed& allowed) {
+  const bool has_least = std::isfinite(allowed.least);
+  const bool has_greatest = std::isfinite(allowed.greatest);
+  if (has_least && has_greatest) {
+    return fmt::format("{}{}, {}]", allowed.open ? '(' : '[', allowed.least, allowed.greatest);
+  }
+  if (has_least) return fmt::format("{} {}", allowed.open ? ">" : ">=", allowed.least);
+  return fmt::format("<= {}", allowed.greatest);
+}
+
+std::vector<std::string> names_of(const Variables& variables) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : variables) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+void Value::refuse(std::string_view message) const {
+  scenarios::refuse(node_->place, fmt::format("{}: {}", name_, message));
+}
+
+const std::string& Value::scalar(std::string_view expected) const {
+  if (node_->kind != Node::Kind::kScalar) {
+    refuse(fmt::format("expected {}, found {}", expected, name_of(node_->kind)));
+  }
+  return node_->text;
+}
+
+double Value::variable(std::string_view name) const {
+  const auto found = variables_->find(std::string(name));
+  if (found != variables_->end()) return found->second;
+  refuse(
+      fmt::format("unknown variable {}{}", quote(name), name_hint(name, names_of(*variables_), "variables")));
+}
+
+double Value::resolve(std::string_view expected) const {
+  const std::string_view text = scalar(expected);
+  if (!node_->is_quoted && text.starts_with('$')) return variable(text.substr(1));
+  if (!node_->is_quoted && text.starts_with("-$")) return -variable(text.substr(2));
+  const std::optional<double> number = node_->is_quoted ? std::nullopt : parse_number(text);
+  if (!number) refuse(fmt::format("expected {}, found {}", expected, quote(text)));
+  return *number;
+}
+
+double Value::number(const Allowed& allowed) const {
+  const double value = resolve("a number");
+  if (!holds(allowed, value)) {
+    refuse(fmt::format("value {} is out of range; allowed: {}", value, to_text(allowed)));
+  }
+  return value;
+}
+
+std::int64_t Value::count(const Allowed& allowed) const {
+  // Through the text where it is a plain number: a double cannot hold every 64-bit seed.
+  const std::optional<std::int64_t> exact =
+      node_->is_quoted ? std::nullopt : parse_count(scalar("a whole number"));
+  const double value = exact ? static_cast<double>(*exact) : resolve("a whole number");
+  if (!exact && (value != std::floor(value) || std::abs(value) > 9e15)) {
+    refuse(fmt::format("expected a whole number, found {}", value));
+  }
+  if (!holds(allowed, value)) {
+    refuse(fmt::format("value {} is out of range; allowed: {}", value, to_text(allowed)));
+  }
+  return exact ? *exact : static_cast<std::int64_t>(value);
+}
+
+bool Value::flag() const {
+  const std::string& text = scalar("true or false");
+  if (node_->is_quoted || (text != "true" && text != "false")) {
+    refuse(fmt::format("expected true or false, found {}", quote(text)));
+  }
+  return text == "true";
+}
+
+std::string Value::text() const {
+  const std::string& text = scalar("text");
+  if (text.empty()) refuse("expected text, found nothing");
+  return text;
+}
+
+std::size_t Value::choice(std::span<const std::string> words) const {
+  const std::string& text = scalar("one of " + fmt::format("{}", fmt::join(words, ", ")));
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) {
+    refuse(fmt::format("unknown value {}{}", quote(text), name_hint(text, words, "values")));
+  }
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+std::vector<Value> Value::items() const {
+  if (node_->kind != Node::Kind::kList) {
+    refuse(fmt::format("expected a list, found {}", name_of(node_->kind)));
+  }
+  std::vector<Value> items;
+  items.reserve(node_->items.size());
+  for (const Node& item : node_->items) items.emplace_back(item, name_, *variables_);
+  return items;
+}
+
+std::vector<Value> Value::items(std::size_t num_items) const {
+  std::vector<Value> found = items();
+  if (found.size() != num_items) {
+    refuse(fmt::format("expected {} values, found {}", num_items, found.size()));
+  }
+  return found;
+}
+
+Eigen::Vector2d Value::point_m() const {
+  const std::vector<Value> xy = items(2);
+  return {xy[0].number(kCoordinate), xy[1].number(kCoordinate)};
+}
+
+std::vector<Eigen::Vector2d> Value::points_m(std::size_t least) const {
+  std::vector<Eigen::Vector2d> points;
+  for (const Value& item : items()) points.push_back(item.point_m());
+  if (points.size() < least) {
+    refuse(fmt::format("expected at least {} points, found {}", least, points.size()));
+  }
+  return points;
+}
+
+Pose2 Value::pose() const {
+  const std::vector<Value> values = items(3);
+  return {{values[0].number(kCoordinate), values[1].number(kCoordinate)},
+          radians(values[2].number(kAngle_deg))};
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/pose2.hpp"
+#include "scenarios/load/node.hpp"
+
+namespace scanbed::scenarios {
+
+/// Names that numbers of a file may refer to as "$name" or "-$name".
+using Variables = std::map<std::string, double>;
+
+/// The numbers that a key allows: [least, greatest], or (least, greatest] where `open`.
+struct Allowed {
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  bool open = false;  ///< `least` itself is not allowed
+};
+
+/// Farther from the origin than this nothing can be placed (sim::World says why).
+inline constexpr double kFarthest_m = 1'000.0;
+/// Sizes and lengths: more than nothing, less than the world.
+inline constexpr Allowed kLength{.least = 0.0, .greatest = kFarthest_m, .open = true};
+inline constexpr Allowed kCoordinate{.least = -kFarthest_m, .greatest = kFarthest_m};
+inline constexpr Allowed kAngle_deg{.least = -36'000.0, .greatest = 36'000.0};
+
+/// One value of a file, with the name of its key and the variables in force. A light handle: node and
+/// variables must outlive it. All readers throw InputError "file:line:column: key: ..." for what does not
+/// fit.
+class Value {
+ public:
+  Value(const Node& node, std::string name, const Variables& variables)
+      : node_(&node), name_(std::move(name)), variables_(&variables) {}
+
+  const Node& node() const { return *node_; }
+  const std::string& name() const { return name_; }
+  const Variables& variables() const { return *variables_; }
+
+  double number(const Allowed& allowed = {}) const;
+  std::int64_t count(const Allowed& allowed = {}) const;
+  bool flag() const;         ///< true or false, and no other spelling
+  std::string text() const;  ///< not empty
+  /// One of the words. @returns its index.
+  std::size_t choice(std::span<const std::string> words) const;
+  std::vector<Value> items() const;                                ///< of a list
+  std::vector<Value> items(std::size_t num_items) const;           ///< of a list of that many
+  Eigen::Vector2d point_m() const;                                 ///< [x, y]
+  std::vector<Eigen::Vector2d> points_m(std::size_t least) const;  ///< [[x, y], ...]
+  Pose2 pose() const;                                              ///< [x, y, degrees]
+
+  [[noreturn]] void refuse(std::string_view message) const;
+
+ private:
+  const std::string& scalar(std::string_view expected) const;
+  double variable(std::string_view name) const;
+  double resolve(std::string_view expected) const;
+
+  const Node* node_;
+  std::string name_;
+  const Variables* variables_;
+};
+
+}  // namespace scanbed::scenarios
