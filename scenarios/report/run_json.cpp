@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report/run_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "scenarios/report/version.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rounded(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::round(value * 1e9) / 1e9 + 0.0;
+}
+
+Json share(int part, int whole) {
+  return whole == 0 ? Json(nullptr) : rounded(static_cast<double>(part) / whole);
+}
+
+Json to_json(const RangeBand& band) {
+  return {{"from_m", rounded(band.from_m)},
+          {"to_m", rounded(band.to_m)},
+          {"truths", band.num_truths},
+          {"found", band.num_found},
+          {"recall", share(band.num_found, band.num_truths)}};
+}
+
+Json to_json(const KindScore& score, const Scores& scores) {
+  const Tally& tally = score.tally;
+  Json bands = Json::array();
+  for (const RangeBand& band : score.bands) bands.push_back(to_json(band));
+  return {{"truths", tally.num_truths},
+          {"found", tally.num_found},
+          {"recall", share(tally.num_found, tally.num_truths)},
+          {"detections", tally.num_detections},
+          {"right", tally.num_right},
+          {"neither", tally.num_neither},
+          {"precision", share(tally.num_right, tally.num_detections)},
+          {"false_per_scan", rounded(scores.false_per_scan(score))},
+          {"rms_error_m", tally.num_right == 0 ? Json(nullptr) : rounded(tally.rms_error_m())},
+          {"bands", bands}};
+}
+
+Json to_json(const Scores& scores) {
+  return {{"line", to_json(scores.line, scores)},
+          {"circle", to_json(scores.circle, scores)},
+          {"leg", to_json(scores.leg, scores)}};
+}
+
+Json to_json(const GateResult& gate) {
+  return {{"kind", to_string(gate.need.kind)},
+          {"metric", gate.need.metric.name},
+          {gate.need.metric.at_most ? "at_most" : "at_least", rounded(gate.need.bound)},
+          {"value", gate.value ? rounded(*gate.value) : Json(nullptr)},
+          {"met", gate.met}};
+}
+
+Json to_json(const RunResult& result) {
+  Json gates = Json::array();
+  for (const GateResult& gate : result.gates) gates.push_back(to_json(gate));
+  return {
+      {"scenario", result.scenario},
+      {"seed", result.seed},
+      {"laser", result.laser},
+      {"preset", result.preset},
+      {"duration_s", rounded(result.duration_s)},
+      {"scans", result.num_scans},
+      {"interrupted", result.interrupted},
+      {"features",
+       {{"line", result.features.lines}, {"circle", result.features.circles}, {"leg", result.features.legs}}},
+      {"scores", result.scores ? to_json(*result.scores) : Json(nullptr)},
+      {"gates", gates},
+      {"gates_met", result.scores ? Json(result.met_its_gates()) : Json(nullptr)},
+      {"known_fail", result.known_fail ? Json(*result.known_fail) : Json(nullptr)}};
+}
+
+}  // namespace
+
+std::string run_json(std::span<const RunResult> results) {
+  Json runs = Json::array();
+  for (const RunResult& result : results) runs.push_back(to_json(result));
+  const Json document = {{"scanbed", kVersion}, {"runs", runs}};
+  // Names from outside may hold bytes that are no UTF-8; they are replaced rather than refused.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace scanbed::scenarios

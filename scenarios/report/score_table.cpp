@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report/score_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr std::array kKinds = {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg};
+
+template <typename... Arguments>
+void append(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+}
+
+std::string share(int part, int whole) {
+  return whole == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(part) / whole);
+}
+
+void append_head(std::string& out, const RunResult& result) {
+  append(out, "{}  seed {}  laser {}  preset {}  {} scans{}\n", result.scenario, result.seed, result.laser,
+         result.preset, result.num_scans, result.interrupted ? " (interrupted)" : "");
+}
+
+void append_tallies(std::string& out, const Scores& scores) {
+  append(out, "\n  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12}{:>11}\n", "kind", "truths", "found", "recall",
+         "detections", "right", "precision", "false/scan", "rms error");
+  for (const FeatureKind kind : kKinds) {
+    const KindScore& score = score_of(scores, kind);
+    const Tally& tally = score.tally;
+    const std::string rms_error =
+        tally.num_right == 0 ? "-" : fmt::format("{:.1f} mm", 1000.0 * tally.rms_error_m());
+    append(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12.3f}{:>11}\n", to_string(kind), tally.num_truths,
+           tally.num_found, share(tally.num_found, tally.num_truths), tally.num_detections, tally.num_right,
+           share(tally.num_right, tally.num_detections), scores.false_per_scan(score), rms_error);
+  }
+}
+
+void append_bands(std::string& out, const Scores& scores) {
+  append(out, "\n  {:<8}", "recall");
+  for (const RangeBand& band : scores.line.bands) {
+    const bool is_last = &band == &scores.line.bands.back();
+    append(
+        out, "{:>15}",
+        is_last ? fmt::format("{:g}+ m", band.from_m) : fmt::format("{:g}-{:g} m", band.from_m, band.to_m));
+  }
+  out += '\n';
+  for (const FeatureKind kind : kKinds) {
+    append(out, "  {:<8}", to_string(kind));
+    for (const RangeBand& band : score_of(scores, kind).bands) {
+      const std::string text =
+          band.num_truths == 0
+              ? "-"
+              : fmt::format("{} of {}", share(band.num_found, band.num_truths), band.num_truths);
+      append(out, "{:>15}", text);
+    }
+    out += '\n';
+  }
+}
+
+void append_gates(std::string& out, const std::vector<GateResult>& gates) {
+  if (gates.empty()) return;
+  append(out, "\n  {:<8}{:<14}{:>12}{:>12}\n", "gate", "", "bar", "measured");
+  for (const GateResult& gate : gates) {
+    const Need& need = gate.need;
+    const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
+    const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
+    append(out, "  {:<8}{:<14}{:>12}{:>12}  {}\n", to_string(need.kind), need.metric.name, bar, value,
+           gate.met ? "pass" : "MISS");
+  }
+}
+
+void append_counts(std::string& out, const RunResult& result) {
+  append(out, "\n  {} lines, {} circles, {} legs detected\n", result.features.lines, result.features.circles,
+         result.features.legs);
+  out += "  not scored: this laser brings no truth, so no gate was measured\n";
+}
+
+void append_verdict(std::string& out, const RunResult& result) {
+  const auto num_met = std::count_if(result.gates.begin(), result.gates.end(),
+                                     [](const GateResult& gate) { return gate.met; });
+  if (result.gates.empty()) return;
+  append(out, "\n{}: {} of {} gates passed", result.scenario, num_met, result.gates.size());
+  if (result.known_fail) {
+    out += result.met_its_gates() ? ", although it is a known failure: " : "; known failure: ";
+    out += *result.known_fail;
+  }
+  out += '\n';
+}
+
+}  // namespace
+
+std::string score_table(const RunResult& result) {
+  std::string out;
+  append_head(out, result);
+  if (!result.scores) {
+    append_counts(out, result);
+    return out;
+  }
+  append_tallies(out, *result.scores);
+  append_bands(out, *result.scores);
+  append_gates(out, result.gates);
+  append_verdict(out, result);
+  return out;
+}
+
+}  // namespace scanbed::scenarios

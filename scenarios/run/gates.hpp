@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/score/tally.hpp"
+#include "scenarios/load/need.hpp"
+
+namespace scanbed::scenarios {
+
+/// One need and what a run measured.
+struct GateResult {
+  Need need;
+  std::optional<double> value;  ///< empty where there was nothing to measure it by
+  bool met = false;             ///< false also where there was nothing: a bar that nobody jumps is not passed
+};
+
+const KindScore& score_of(const Scores& scores, FeatureKind kind);
+
+/// The metric's value; empty where it is a share or an error of nothing.
+std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric);
+
+/// Holds each need against the scores, in the same order.
+std::vector<GateResult> evaluate(std::span<const Need> needs, const Scores& scores);
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/detect/feature_detector.hpp"
+#include "core/scan/range_sensor.hpp"
+#include "core/score/tally.hpp"
+#include "scenarios/load/scenario.hpp"
+#include "scenarios/run/gates.hpp"
+
+namespace scanbed::scenarios {
+
+/// How many features were detected, right or wrong.
+struct FeatureCounts {
+  std::int64_t lines = 0;
+  std::int64_t circles = 0;
+  std::int64_t legs = 0;
+};
+
+/// What one run of a scenario gave.
+struct RunResult {
+  std::string scenario;
+  std::uint64_t seed = 0;
+  std::string laser;   ///< as `--laser` names it
+  std::string preset;  ///< of the detector
+  double duration_s = 0.0;
+  int num_scans = 0;
+  FeatureCounts features;
+  std::optional<Scores> scores;   ///< empty where the laser has no truth
+  std::vector<GateResult> gates;  ///< empty where there are no scores, or no needs
+  std::optional<std::string> known_fail;
+  bool interrupted = false;  ///< stopped before the end of the stream
+
+  bool met_its_gates() const;  ///< true where there are none
+};
+
+/// Called with each scan and its features; returns false to stop after it.
+using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
+
+/// Takes all scans of a sensor, detects, scores those that come with truth, and holds the scores against the
+/// scenario's needs. Fills all fields but laser and preset, which only the caller knows.
+///
+/// @throws what the sensor's next() throws.
+RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDetector& detector,
+                       const ScanObserver& observer);
+
+}  // namespace scanbed::scenarios

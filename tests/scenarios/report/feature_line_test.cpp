@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report/feature_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace scanbed::scenarios {
+namespace {
+
+std::string line_of(const LaserScan& scan, const Features& features) {
+  std::string out;
+  append_feature_line(out, scan, features);
+  return out;
+}
+
+Features one_of_each() {
+  Features features;
+  features.lines.push_back({.beams = {0, 58},
+                            .left_m = {0.0, -3.57},
+                            .right_m = {1.98, -3.58},
+                            .slope = -0.002,
+                            .bias_m = -3.57,
+                            .num_points = 59,
+                            .error_m = 0.004,
+                            .score = 0.99});
+  features.circles.push_back({.beams = {120, 140},
+                              .center_m = {3.0, 1.2},
+                              .radius_m = 0.25,
+                              .average_rad = 1.91,
+                              .std_rad = 0.03,
+                              .score = 0.97});
+  features.legs.push_back({.beams = {200, 206}, .middle_m = {2.1, 0.4}, .score = 0.8});
+  return features;
+}
+
+TEST(FeatureLineTest, HasThePublicKeys) {
+  EXPECT_EQ(line_of(LaserScan{}, one_of_each()),
+            R"({"scan":0,"t_s":0,"features":[)"
+            R"({"type":"line","first":0,"last":58,"left":[0,-3.57],"right":[1.98,-3.58],"slope":-0.002,)"
+            R"("bias":-3.57,"points":59,"error":0.004,"score":0.99},)"
+            R"({"type":"circle","first":120,"last":140,"center":[3,1.2],"radius":0.25,"average":1.91,)"
+            R"("std":0.03,"score":0.97},)"
+            R"({"type":"leg","first":200,"last":206,"middle":[2.1,0.4],"score":0.8}]})"
+            "\n");
+}
+
+TEST(FeatureLineTest, IsAnObjectWithoutFeaturesToo) {
+  LaserScan scan;
+  scan.index = 7;
+  scan.time_s = 1125000000.123456;
+  EXPECT_EQ(line_of(scan, {}), "{\"scan\":7,\"t_s\":1125000000.123456,\"features\":[]}\n");
+}
+
+TEST(FeatureLineTest, OrdersFeaturesByTheirFirstBeam) {
+  Features features = one_of_each();
+  features.legs[0].beams = {60, 65};
+  features.lines[0].beams = {150, 180};
+  const std::string line = line_of(LaserScan{}, features);
+  EXPECT_LT(line.find("leg"), line.find("circle"));
+  EXPECT_LT(line.find("circle"), line.find("\"line\""));
+}
+
+TEST(FeatureLineTest, WritesNullForALineAlongY) {
+  Features features;
+  features.lines.push_back({.beams = {1, 9}, .slope = {}, .bias_m = {}});
+  EXPECT_NE(line_of(LaserScan{}, features).find(R"("slope":null,"bias":null)"), std::string::npos);
+}
+
+TEST(FeatureLineTest, RoundsToAMicrometreAndKnowsNoMinusZero) {
+  Features features;
+  features.legs.push_back({.beams = {1, 9}, .middle_m = {0.12345678, -1e-9}, .score = 1.0 / 3.0});
+  EXPECT_NE(line_of(LaserScan{}, features).find(R"("middle":[0.123457,0],"score":0.333333)"),
+            std::string::npos);
+}
+
+TEST(FeatureLineTest, WritesNullForWhatJsonCannotHold) {
+  Features features;
+  features.legs.push_back(
+      {.beams = {1, 9}, .middle_m = {std::numeric_limits<double>::infinity(), std::nan("")}, .score = 0.0});
+  EXPECT_NE(line_of(LaserScan{}, features).find(R"("middle":[null,null])"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report/run_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "tests/scenarios/made_result.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+nlohmann::json first_run(const RunResult& result) {
+  const std::array<RunResult, 1> results = {result};
+  return nlohmann::json::parse(run_json(results)).at("runs").at(0);
+}
+
+TEST(RunJsonTest, SaysWhatRan) {
+  const nlohmann::json run = first_run(testing::made_result());
+  EXPECT_EQ(run["scenario"], "hall");
+  EXPECT_EQ(run["seed"], 7);
+  EXPECT_EQ(run["laser"], "sim");
+  EXPECT_EQ(run["preset"], "paper");
+  EXPECT_EQ(run["scans"], 10);
+  EXPECT_EQ(run["features"]["circle"], 16);
+}
+
+TEST(RunJsonTest, HoldsTheScores) {
+  const nlohmann::json circle = first_run(testing::made_result())["scores"]["circle"];
+  EXPECT_EQ(circle["truths"], 10);
+  EXPECT_EQ(circle["found"], 8);
+  EXPECT_DOUBLE_EQ(circle["recall"], 0.8);
+  EXPECT_DOUBLE_EQ(circle["precision"], 0.5);
+  EXPECT_DOUBLE_EQ(circle["false_per_scan"], 0.8);
+  EXPECT_DOUBLE_EQ(circle["rms_error_m"], 0.03);
+  EXPECT_DOUBLE_EQ(circle["bands"][1]["recall"], 0.75);
+  EXPECT_TRUE(circle["bands"][0]["recall"].is_null());
+  EXPECT_TRUE(circle["bands"][4]["to_m"].is_null());
+}
+
+TEST(RunJsonTest, HoldsTheGates) {
+  const nlohmann::json run = first_run(testing::made_result());
+  ASSERT_EQ(run["gates"].size(), 3u);
+  EXPECT_DOUBLE_EQ(run["gates"][0]["at_least"], 0.75);
+  EXPECT_EQ(run["gates"][0]["met"], true);
+  EXPECT_TRUE(run["gates"][1]["value"].is_null());
+  EXPECT_EQ(run["gates"][1]["met"], false);
+  EXPECT_DOUBLE_EQ(run["gates"][2]["at_most"], 0.5);
+  EXPECT_EQ(run["gates_met"], false);
+}
+
+TEST(RunJsonTest, WritesNullForWhatWasNotMeasured) {
+  RunResult result = testing::made_result();
+  result.scores.reset();
+  result.gates.clear();
+  const nlohmann::json run = first_run(result);
+  EXPECT_TRUE(run["scores"].is_null());
+  EXPECT_TRUE(run["gates_met"].is_null());
+  EXPECT_TRUE(run["known_fail"].is_null());
+}
+
+TEST(RunJsonTest, SurvivesNamesThatAreNoUtf8) {
+  RunResult result = testing::made_result();
+  result.laser = "log:\xff\"\n";
+  EXPECT_EQ(first_run(result)["laser"], "log:\xef\xbf\xbd\"\n");
+}
+
+TEST(RunJsonTest, WritesTheSameBytesForTheSameResults) {
+  const std::array<RunResult, 2> results = {testing::made_result(), testing::made_result()};
+  EXPECT_EQ(run_json(results), run_json(results));
+  EXPECT_EQ(nlohmann::json::parse(run_json(results)).at("runs").size(), 2u);
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios

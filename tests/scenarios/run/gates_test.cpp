@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/run/gates.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/scenarios/made_scores.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+std::optional<double> measured(FeatureKind kind, std::string_view name) {
+  return measure(testing::made_scores(), kind, find_metric(name).value());
+}
+
+TEST(MeasureTest, ComputesEachMetric) {
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "recall").value(), 0.8);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "precision").value(), 0.5);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "fp_per_scan").value(), 0.8);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "rms_error").value(), 0.03);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "truths").value(), 10.0);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kLeg, "fp_per_scan").value(), 0.1);
+}
+
+TEST(MeasureTest, PoolsBands) {
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "recall_2_4m").value(), 3.0 / 4.0);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "recall_0_4m").value(), 3.0 / 4.0);
+  EXPECT_DOUBLE_EQ(measured(FeatureKind::kCircle, "recall_0_8m").value(), 8.0 / 10.0);
+}
+
+TEST(MeasureTest, IsEmptyWhereThereIsNothing) {
+  for (const char* name : {"recall", "precision", "rms_error", "recall_0_4m"}) {
+    EXPECT_FALSE(measured(FeatureKind::kLine, name).has_value()) << name;
+  }
+  EXPECT_FALSE(measured(FeatureKind::kCircle, "recall_0_2m").has_value());
+  EXPECT_FALSE(measure(Scores{}, FeatureKind::kLeg, find_metric("fp_per_scan").value()).has_value());
+}
+
+bool is_met(FeatureKind kind, std::string_view name, double bound) {
+  const std::vector<Need> needs = {{kind, find_metric(name).value(), bound}};
+  return evaluate(needs, testing::made_scores()).at(0).met;
+}
+
+TEST(EvaluateTest, HoldsSharesFromBelowAndErrorsFromAbove) {
+  EXPECT_TRUE(is_met(FeatureKind::kCircle, "recall", 0.8));
+  EXPECT_FALSE(is_met(FeatureKind::kCircle, "recall", 0.81));
+  EXPECT_TRUE(is_met(FeatureKind::kLeg, "fp_per_scan", 0.1));
+  EXPECT_FALSE(is_met(FeatureKind::kLeg, "fp_per_scan", 0.09));
+}
+
+TEST(EvaluateTest, MissesAGateThatNothingWasMeasuredFor) {
+  EXPECT_FALSE(is_met(FeatureKind::kLine, "recall", 0.0));
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios
