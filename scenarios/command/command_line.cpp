@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/command/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+
+#include "core/detect/table_two.hpp"
+#include "core/errors/input_error.hpp"
+#include "scenarios/load/nearest_name.hpp"
+#include "scenarios/load/number.hpp"
+#include "scenarios/report/version.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+// Flags as they are typed; checked and converted after parsing, so that all errors read alike.
+struct TypedFlags {
+  std::vector<std::string> scenarios;
+  std::string laser = "sim";
+  std::string seed;
+  std::string preset = "paper";
+  std::string config;
+  std::vector<std::string> settings;
+  std::string json;
+  std::string out;
+  std::string limit;
+  std::string at = "0";
+  std::string view = "camera";
+  std::string size = "960x720";
+  bool quiet = false;
+};
+
+std::string table_two_text() {
+  std::string text = "Detector parameters (paper, Table II) for --set and --config:\n";
+  for (const TableTwoEntry& entry : table_two()) {
+    const std::string unit = entry.unit.empty() ? "" : fmt::format(" {}", entry.unit);
+    text += fmt::format("  {:<16} {} (default {}{})\n", entry.name, entry.meaning, entry.default_value, unit);
+  }
+  return text;
+}
+
+constexpr const char* kMainHelp = R"(Examples:
+  scanbed list
+  scanbed run static_hallway --out pictures
+  scanbed detect --laser log:FILE.log > features.jsonl
+'scanbed COMMAND --help' tells more.
+Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O fault, 130 interrupted.)";
+constexpr const char* kRunHelp = R"(Examples:
+  scanbed run static_hallway
+  scanbed run static_hallway --seed 7 --set sensor.noise.sigma=0.012 --json -
+  scanbed run my_hall.yaml --set line_err=0.02 --out pictures
+)";
+constexpr const char* kDetectHelp =
+    R"(Prints one JSON object a scan, in metres and radians of the sensor's frame.
+Examples:
+  scanbed detect --laser log:hall.log.gz --limit 10
+  scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set circle_std_max=0.1
+  scanbed detect --laser sim:static_hallway --out features.jsonl
+)";
+constexpr const char* kRenderHelp = R"(Example:
+  scanbed render static_hallway --at 20 --view top -o hall.png --size 1280x960)";
+constexpr const char* kValidateHelp = R"(Example:
+  scanbed validate my_hall.yaml static_hallway)";
+
+// A flag that may be repeated and takes one value each time, so that scenarios may follow it.
+void add_settings(CLI::App& app, TypedFlags& flags) {
+  app.add_option("--set", flags.settings,
+                 "Change one value: PATH of a scenario file, or a detector parameter")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_detector(CLI::App& app, TypedFlags& flags) {
+  app.add_option("--preset", flags.preset, "Detectors: paper")->type_name("NAME")->capture_default_str();
+  app.add_option("--config", flags.config, "YAML file of detector parameters")->type_name("FILE");
+  add_settings(app, flags);
+}
+
+CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
+  CLI::App* run = app.add_subcommand("run", "Run scenarios, score the detectors, hold scores against gates");
+  run->add_option("SCENARIO", flags.scenarios, "Names of the library or YAML files")
+      ->required()
+      ->type_name("");
+  run->add_option("--laser", flags.laser, "sim or log:FILE")->type_name("SPEC")->capture_default_str();
+  run->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
+  run->add_option("--json", flags.json, "Write results as JSON; - is standard output")->type_name("FILE");
+  run->add_option("--out", flags.out, "Write the scenario's pictures here")->type_name("DIR");
+  run->add_flag("--quiet", flags.quiet, "No table");
+  add_detector(*run, flags);
+  run->footer(kRunHelp + table_two_text());
+  return run;
+}
+
+CLI::App* add_detect(CLI::App& app, TypedFlags& flags) {
+  CLI::App* detect = app.add_subcommand("detect", "Print the features of each scan as JSON Lines");
+  detect->add_option("--laser", flags.laser, "log:FILE[?only=MESSAGE&no_return=METRES] or sim:SCENARIO")
+      ->type_name("SPEC")
+      ->required();
+  detect->add_option("--limit", flags.limit, "Stop after N scans")->type_name("N");
+  detect->add_option("--out", flags.out, "In place of standard output")->type_name("FILE");
+  add_detector(*detect, flags);
+  detect->footer(kDetectHelp + table_two_text());
+  return detect;
+}
+
+CLI::App* add_render(CLI::App& app, TypedFlags& flags) {
+  CLI::App* render = app.add_subcommand("render", "Paint a moment of a scenario: scene, scan and features");
+  render->add_option("SCENARIO", flags.scenarios, "Name of the library or YAML file")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  render->add_option("--at", flags.at, "Seconds from the start")->type_name("T")->capture_default_str();
+  render->add_option("--view", flags.view, "top, camera or laser")->type_name("VIEW")->capture_default_str();
+  render->add_option("-o,--out", flags.out, "PNG file")->type_name("FILE")->required();
+  render->add_option("--size", flags.size, "Pixels")->type_name("WxH")->capture_default_str();
+  render->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
+  add_detector(*render, flags);
+  render->footer(kRenderHelp);
+  return render;
+}
+
+CLI::App* add_validate(CLI::App& app, TypedFlags& flags) {
+  CLI::App* validate = app.add_subcommand("validate", "Check scenario files without running them");
+  validate->add_option("FILE", flags.scenarios, "YAML files or names of the library")
+      ->required()
+      ->type_name("");
+  validate->footer(kValidateHelp);
+  return validate;
+}
+
+std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least) {
+  const std::optional<std::int64_t> count = parse_count(text);
+  if (!count) throw InputError(fmt::format("{}: expected a whole number, found {}", flag, quote(text)));
+  require(*count >= least, flag, static_cast<double>(*count), fmt::format(">= {}", least));
+  return *count;
+}
+
+std::optional<std::uint64_t> to_seed(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return static_cast<std::uint64_t>(to_count("--seed", text, 0));
+}
+
+std::optional<std::filesystem::path> to_path(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
+std::vector<Setting> to_settings(const TypedFlags& flags) {
+  std::vector<Setting> settings;
+  for (const std::string& text : flags.settings) settings.push_back(parse_setting(text));
+  return settings;
+}
+
+sim::View to_view(const std::string& text) {
+  static const std::array<std::string, 3> kViews = {"top", "camera", "laser"};
+  if (text == kViews[0]) return sim::View::kTop;
+  if (text == kViews[1]) return sim::View::kCamera;
+  if (text == kViews[2]) return sim::View::kLaser;
+  throw InputError(fmt::format("--view: unknown value {}{}", quote(text), name_hint(text, kViews, "views")));
+}
+
+sim::PictureOptions to_picture(const TypedFlags& flags) {
+  constexpr std::int64_t kLargest_px = 8192;
+  const std::size_t cross = std::min(flags.size.find('x'), flags.size.size());
+  const std::optional<std::int64_t> width = parse_count(flags.size.substr(0, cross));
+  const std::optional<std::int64_t> height =
+      parse_count(std::string_view(flags.size).substr(std::min(cross + 1, flags.size.size())));
+  if (!width || !height || *width > kLargest_px || *height > kLargest_px) {
+    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT in pixels of at most {}, found {}",
+                                 kLargest_px, quote(flags.size)));
+  }
+  sim::PictureOptions picture{.width_px = static_cast<int>(*width),
+                              .height_px = static_cast<int>(*height),
+                              .view = to_view(flags.view)};
+  picture.validate();
+  return picture;
+}
+
+double to_time_s(const std::string& text) {
+  const std::optional<double> time_s = parse_number(text);
+  if (!time_s) throw InputError(fmt::format("--at: expected seconds, found {}", quote(text)));
+  return *time_s;
+}
+
+DetectorChoice to_detector(const TypedFlags& flags) {
+  return {.preset = flags.preset, .config = to_path(flags.config)};
+}
+
+RunCommand to_run(const TypedFlags& flags) {
+  return {.scenarios = flags.scenarios,
+          .laser = parse_laser_spec(flags.laser),
+          .seed = to_seed(flags.seed),
+          .detector = to_detector(flags),
+          .settings = to_settings(flags),
+          .json = to_path(flags.json),
+          .out = to_path(flags.out),
+          .quiet = flags.quiet};
+}
+
+DetectCommand to_detect(const TypedFlags& flags) {
+  std::optional<std::int64_t> limit;
+  if (!flags.limit.empty()) limit = to_count("--limit", flags.limit, 1);
+  return {.laser = parse_laser_spec(flags.laser),
+          .detector = to_detector(flags),
+          .settings = to_settings(flags),
+          .limit = limit,
+          .out = to_path(flags.out)};
+}
+
+RenderCommand to_render(const TypedFlags& flags) {
+  return {.scenario = flags.scenarios.front(),
+          .at_s = to_time_s(flags.at),
+          .picture = to_picture(flags),
+          .out = flags.out,
+          .seed = to_seed(flags.seed),
+          .detector = to_detector(flags),
+          .settings = to_settings(flags)};
+}
+
+// The parser would only say that a subcommand is missing.
+void check_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw InputError(fmt::format("unknown command {}{}; see 'scanbed --help'", quote(argv[1]),
+                               name_hint(argv[1], names, "commands")));
+}
+
+// The parser's messages are one line without a full stop; where the help is tells the user what to do.
+[[noreturn]] void refuse_usage(const CLI::App& app, const CLI::ParseError& error) {
+  std::string name = "scanbed";
+  for (const CLI::App* chosen : app.get_subcommands()) name += " " + chosen->get_name();
+  throw InputError(fmt::format("{}; see '{} --help'", error.what(), name));
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+  TypedFlags flags;
+  CLI::App app("A testbed for feature detectors on 2D laser scans.", "scanbed");
+  app.set_version_flag("--version", fmt::format("scanbed {}", kVersion));
+  app.require_subcommand(1);
+  app.footer(kMainHelp);
+  const CLI::App* run = add_run(app, flags);
+  const CLI::App* detect = add_detect(app, flags);
+  const CLI::App* render = add_render(app, flags);
+  const CLI::App* list = app.add_subcommand("list", "List the scenarios of the library");
+  add_validate(app, flags);
+  check_command(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForVersion& version) {
+    return TextCommand{std::string(version.what()) + "\n"};
+  } catch (const CLI::CallForHelp&) {
+    return TextCommand{app.help()};
+  } catch (const CLI::ParseError& error) {
+    refuse_usage(app, error);
+  }
+  if (run->parsed()) return to_run(flags);
+  if (detect->parsed()) return to_detect(flags);
+  if (render->parsed()) return to_render(flags);
+  if (list->parsed()) return ListCommand{};
+  return ValidateCommand{flags.scenarios};
+}
+
+}  // namespace scanbed::scenarios

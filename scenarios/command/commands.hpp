@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenarios/load/set_path.hpp"
+#include "scenarios/run/detector_settings.hpp"
+#include "scenarios/run/laser_spec.hpp"
+#include "sim/render/scene_picture.hpp"
+
+namespace scanbed::scenarios {
+
+/// What the program ends with.
+enum ExitCode : int {
+  kExitFine = 0,
+  kExitGateMissed = 1,
+  kExitBadInput = 2,
+  kExitFault = 3,
+  kExitInterrupted = 130,
+};
+
+// What the command line asks for, one struct a subcommand, with values already checked; and what does it. All
+// throw InputError, SensorFault or OutputFault for main to turn into an exit code.
+
+/// `scanbed run SCENARIO...`
+struct RunCommand {
+  std::vector<std::string> scenarios;
+  LaserSpec laser;
+  std::optional<std::uint64_t> seed;
+  DetectorChoice detector;
+  std::vector<Setting> settings;  ///< of the scenario; Table II names go to the detector
+  std::optional<std::filesystem::path> json;
+  std::optional<std::filesystem::path> out;  ///< folder for pictures
+  bool quiet = false;
+};
+
+/// `scanbed detect --laser SPEC`
+struct DetectCommand {
+  LaserSpec laser;
+  DetectorChoice detector;
+  std::vector<Setting> settings;
+  std::optional<std::int64_t> limit;  ///< scans
+  std::optional<std::filesystem::path> out;
+};
+
+/// `scanbed render SCENARIO --at T --view V -o F.png`
+struct RenderCommand {
+  std::string scenario;
+  double at_s = 0.0;
+  sim::PictureOptions picture;
+  std::filesystem::path out;
+  std::optional<std::uint64_t> seed;
+  DetectorChoice detector;
+  std::vector<Setting> settings;
+};
+
+/// `scanbed list`
+struct ListCommand {};
+
+/// `scanbed validate FILE...`
+struct ValidateCommand {
+  std::vector<std::string> scenarios;
+};
+
+/// `--help`, `--version`: a text for stdout.
+struct TextCommand {
+  std::string text;
+};
+
+using Command =
+    std::variant<RunCommand, DetectCommand, RenderCommand, ListCommand, ValidateCommand, TextCommand>;
+
+ExitCode execute(const RunCommand& command);
+ExitCode execute(const DetectCommand& command);
+ExitCode execute(const RenderCommand& command);
+ExitCode execute(const ListCommand& command);
+ExitCode execute(const ValidateCommand& command);
+ExitCode execute(const TextCommand& command);
+
+}  // namespace scanbed::scenarios

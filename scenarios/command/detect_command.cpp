@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <exception>
+
+#include "core/detect/feature_detector.hpp"
+#include "core/errors/input_error.hpp"
+#include "core/errors/sensor_fault.hpp"
+#include "scenarios/command/commands.hpp"
+#include "scenarios/command/interrupt.hpp"
+#include "scenarios/command/log.hpp"
+#include "scenarios/command/open_laser.hpp"
+#include "scenarios/command/output.hpp"
+#include "scenarios/command/progress.hpp"
+#include "scenarios/report/feature_line.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+// Longer than any laser needs for a scan; sources that never wait ignore it.
+constexpr RangeSensor::Seconds kScanTimeout{2.0};
+
+void print_features(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector,
+                    Output& output) {
+  Progress progress("detect");
+  LaserScan scan;
+  std::string line;
+  for (std::int64_t num_scans = 0; !command.limit || num_scans < *command.limit; ++num_scans) {
+    if (is_interrupted() || !sensor.next(scan, kScanTimeout)) return;
+    line.clear();
+    append_feature_line(line, scan, detector.detect(scan));
+    if (!output.write(line)) return;
+    progress.show(num_scans + 1);
+  }
+}
+
+// What was found before a source failed is written all the same.
+void print_all(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector, Output& output) {
+  std::exception_ptr fault;
+  try {
+    print_features(command, sensor, detector, output);
+  } catch (const InputError&) {
+    fault = std::current_exception();
+  } catch (const SensorFault&) {
+    fault = std::current_exception();
+  }
+  output.commit();
+  if (fault) std::rethrow_exception(fault);
+}
+
+struct OpenedLaser {
+  std::unique_ptr<RangeSensor> sensor;
+  const hw::CarmenLog* log = nullptr;  // where the sensor is one
+};
+
+OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings) {
+  if (spec.kind == LaserKind::kLog) {
+    if (!settings.empty()) {
+      throw InputError("--set " + settings[0].path + ": a recording has no scenario; " +
+                       "allowed: the detector's parameters, see 'scanbed detect --help'");
+    }
+    auto log = open_log(spec);
+    const hw::CarmenLog* counts = log.get();
+    return {std::move(log), counts};
+  }
+  if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");
+  return {simulate(open_scenario(spec.target, settings, std::nullopt)), nullptr};
+}
+
+}  // namespace
+
+ExitCode execute(const DetectCommand& command) {
+  const SortedSettings settings = sort_settings(command.settings);
+  FeatureDetector detector(detector_options(command.detector, settings.detector));
+  const OpenedLaser laser = open_laser(command.laser, settings.scenario);
+  Output output(command.out);
+  std::exception_ptr fault;
+  try {
+    print_all(command, *laser.sensor, detector, output);
+  } catch (const InputError&) {
+    fault = std::current_exception();
+  }
+  if (laser.log != nullptr) log_note(to_text(laser.log->counts()));
+  if (fault) std::rethrow_exception(fault);
+  return is_interrupted() ? kExitInterrupted : kExitFine;
+}
+
+}  // namespace scanbed::scenarios

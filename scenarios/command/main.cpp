@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <exception>
+#include <variant>
+
+#include "core/errors/input_error.hpp"
+#include "scenarios/command/command_line.hpp"
+#include "scenarios/command/interrupt.hpp"
+#include "scenarios/command/log.hpp"
+
+int main(int argc, char** argv) {
+  using namespace scanbed;
+  using namespace scanbed::scenarios;
+  try {
+    watch_signals();
+    return std::visit([](const auto& command) { return execute(command); }, parse_command_line(argc, argv));
+  } catch (const InputError& error) {
+    log_error(error.what());
+    return kExitBadInput;
+  } catch (const std::exception& error) {  // SensorFault, OutputFault, and what the system refuses
+    log_error(error.what());
+    return kExitFault;
+  }
+}

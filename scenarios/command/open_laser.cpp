@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/command/open_laser.hpp"
+
+#include <fmt/format.h>
+
+#include "scenarios/command/log.hpp"
+#include "scenarios/load/library.hpp"
+#include "scenarios/load/load_scenario.hpp"
+#include "scenarios/run/detector_settings.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+constexpr int kMostWarnings = 20;
+
+std::string plural(std::int64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
+                       std::optional<std::uint64_t> seed) {
+  Scenario scenario = load_scenario(find_scenario(name_or_path), settings);
+  if (seed) scenario.seed = *seed;
+  return scenario;
+}
+
+std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario) {
+  return std::make_unique<sim::SimulatedLms>(
+      scenario.world,
+      sim::SimulationOptions{.lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed});
+}
+
+std::unique_ptr<hw::CarmenLog> open_log(const LaserSpec& spec) {
+  const auto report = [num_warnings = 0](const std::string& message) mutable {
+    ++num_warnings;
+    if (num_warnings <= kMostWarnings) log_warning(message);
+    if (num_warnings == kMostWarnings) log_warning("further damaged lines are only counted");
+  };
+  return std::make_unique<hw::CarmenLog>(spec.target, spec.log, report);
+}
+
+std::string to_text(const hw::CarmenLogCounts& counts) {
+  return fmt::format("{}, {}, {}", plural(counts.num_scans, "scan"),
+                     plural(counts.num_damaged_lines, "damaged line"),
+                     plural(counts.num_other_lines, "other line"));
+}
+
+SortedSettings sort_settings(std::span<const Setting> settings) {
+  SortedSettings sorted;
+  for (const Setting& setting : settings) {
+    (is_table_two_name(setting.path) ? sorted.detector : sorted.scenario).push_back(setting);
+  }
+  return sorted;
+}
+
+}  // namespace scanbed::scenarios

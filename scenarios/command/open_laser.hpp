@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scan/range_sensor.hpp"
+#include "hw/recording/carmen_log.hpp"
+#include "scenarios/load/scenario.hpp"
+#include "scenarios/load/set_path.hpp"
+#include "scenarios/run/laser_spec.hpp"
+#include "sim/sensor/simulated_lms.hpp"
+
+namespace scanbed::scenarios {
+
+/// Loads a scenario by name or path; `seed` replaces that of its file.
+Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
+                       std::optional<std::uint64_t> seed);
+
+/// The simulated laser of a scenario. @throws InputError where the world cannot be.
+std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario);
+
+/// A recording; its damaged lines become warnings, up to twenty of them.
+std::unique_ptr<hw::CarmenLog> open_log(const LaserSpec& spec);
+
+/// "37 scans, 0 damaged lines, 3 other lines".
+std::string to_text(const hw::CarmenLogCounts& counts);
+
+/// Settings by what they are for: Table II names for the detector, all else for the scenario.
+struct SortedSettings {
+  std::vector<Setting> detector;
+  std::vector<Setting> scenario;
+};
+SortedSettings sort_settings(std::span<const Setting> settings);
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/errors/input_error.hpp"
+#include "scenarios/command/commands.hpp"
+#include "scenarios/command/interrupt.hpp"
+#include "scenarios/command/log.hpp"
+#include "scenarios/command/open_laser.hpp"
+#include "scenarios/command/output.hpp"
+#include "scenarios/command/progress.hpp"
+#include "scenarios/report/run_json.hpp"
+#include "scenarios/report/score_table.hpp"
+#include "scenarios/run/picture_taker.hpp"
+#include "scenarios/run/run_scenario.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+struct RunAndPictures {
+  RunResult result;
+  std::vector<std::filesystem::path> pictures;
+};
+
+RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario);
+  std::optional<PictureTaker> pictures;
+  if (command.out) pictures.emplace(scenario, *sensor, *command.out);
+  Progress progress(scenario.name);
+  RunAndPictures run;
+  run.result =
+      run_scenario(scenario, *sensor, detector, [&](const LaserScan& scan, const Features& features) {
+        if (pictures) pictures->see(scan, features);
+        progress.show(scan.index + 1);
+        return !is_interrupted();
+      });
+  if (pictures) run.pictures = pictures->files();
+  return run;
+}
+
+RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  const std::unique_ptr<hw::CarmenLog> log = open_log(command.laser);
+  Progress progress(scenario.name);
+  RunAndPictures run;
+  run.result = run_scenario(scenario, *log, detector, [&](const LaserScan& scan, const Features&) {
+    progress.show(scan.index + 1);
+    return !is_interrupted();
+  });
+  log_note(to_text(log->counts()));
+  return run;
+}
+
+void check(const RunCommand& command) {
+  if (!command.laser.target.empty() && command.laser.kind == LaserKind::kSimulated) {
+    throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
+  }
+  if (!command.out) return;
+  std::error_code error;
+  std::filesystem::create_directories(*command.out, error);
+  if (error) throw OutputFault(fmt::format("{}: {}", command.out->string(), error.message()));
+}
+
+std::string describe(const RunAndPictures& run) {
+  std::string text = score_table(run.result);
+  for (const std::filesystem::path& file : run.pictures) text += "picture: " + file.string() + "\n";
+  return text;
+}
+
+ExitCode exit_code(const std::vector<RunResult>& results) {
+  if (is_interrupted()) return kExitInterrupted;
+  for (const RunResult& result : results) {
+    if (!result.met_its_gates() && !result.known_fail) return kExitGateMissed;
+  }
+  return kExitFine;
+}
+
+}  // namespace
+
+ExitCode execute(const RunCommand& command) {
+  check(command);
+  const SortedSettings settings = sort_settings(command.settings);
+  FeatureDetector detector(detector_options(command.detector, settings.detector));
+  // All are loaded before the first one runs: a misspelt name shows at once.
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : command.scenarios) {
+    scenarios.push_back(open_scenario(name, settings.scenario, command.seed));
+  }
+  std::vector<RunResult> results;
+  const bool prints_table = !command.quiet && command.json != "-";
+  for (const Scenario& scenario : scenarios) {
+    if (is_interrupted()) break;
+    RunAndPictures run = command.laser.kind == LaserKind::kLog ? run_on_log(command, scenario, detector)
+                                                               : run_simulated(command, scenario, detector);
+    run.result.laser = command.laser.text;
+    run.result.preset = command.detector.preset;
+    if (prints_table) write_whole(std::nullopt, (results.empty() ? "" : "\n") + describe(run));
+    results.push_back(std::move(run.result));
+  }
+  if (command.json) write_whole(command.json, run_json(results));
+  return exit_code(results);
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/command/commands.hpp"
+#include "scenarios/command/output.hpp"
+
+namespace scanbed::scenarios {
+
+ExitCode execute(const TextCommand& command) {
+  write_whole(std::nullopt, command.text);
+  return kExitFine;
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/scenarios/run_program.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+using testing::Outcome;
+using testing::run_program;
+
+// A column two metres ahead for two seconds, and a bar that finding it every time passes.
+const std::string kEasy =
+    "schema: 1\nname: easy\nduration: 2\nworld: [{id: c, cylinder: {at: [2, 0], r: 0.3}, label: column}]\n"
+    "score: {circle: {need: {recall: 0.9, truths: 5}}}\n";
+const std::string kHard =
+    "schema: 1\nname: hard\nduration: 2\nworld: [{id: c, cylinder: {at: [2, 0], r: 0.3}, label: column}]\n"
+    "score: {circle: {need: {truths: 1000}}}\n";
+
+class RunTest : public ::testing::Test {
+ protected:
+  std::string scenario(const std::string& text, const std::string& name = "s.yaml") const {
+    return testing::write_file(folder_ / name, text).string();
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(RunTest, PrintsTheTableAndPasses) {
+  const Outcome outcome = run_program({"run", scenario(kEasy)});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("precision"), std::string::npos);
+  EXPECT_TRUE(outcome.out.ends_with("easy: 2 of 2 gates passed\n")) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(RunTest, EndsWithOneWhereAGateWasMissed) {
+  const Outcome outcome = run_program({"run", scenario(kHard)});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("MISS"), std::string::npos);
+}
+
+TEST_F(RunTest, ReportsAKnownFailureWithoutFailing) {
+  const Outcome outcome = run_program({"run", scenario(kHard + "known_fail: a test\n")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("0 of 1 gates passed; known failure: a test"), std::string::npos);
+}
+
+TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
+  const Outcome outcome = run_program({"run", scenario(kEasy), scenario(kHard, "t.yaml")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("easy: 2 of 2"), std::string::npos);
+  EXPECT_NE(outcome.out.find("hard: 0 of 1"), std::string::npos);
+}
+
+TEST_F(RunTest, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
+  const auto json = [](const std::string& seed) {
+    return run_program({"run", "static_hallway", "--seed", seed, "--json", "-"}).out;
+  };
+  const std::string first = json("1");
+  EXPECT_EQ(first, json("1"));
+  const nlohmann::json one = nlohmann::json::parse(first)["runs"][0];
+  const nlohmann::json two = nlohmann::json::parse(json("2"))["runs"][0];
+  EXPECT_EQ(one["seed"], 1);
+  EXPECT_NE(one["scores"], two["scores"]);
+}
+
+TEST_F(RunTest, PutsJsonAloneOnStandardOutputOrIntoAFile) {
+  const Outcome stdout_json = run_program({"run", scenario(kEasy), "--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(stdout_json.out)["runs"][0]["scenario"], "easy");
+  const std::string file = (folder_ / "r.json").string();
+  const Outcome with_table = run_program({"run", scenario(kEasy), "--json", file});
+  EXPECT_NE(with_table.out.find("gates passed"), std::string::npos);
+  EXPECT_EQ(testing::read_file(file), stdout_json.out);
+  EXPECT_EQ(run_program({"run", scenario(kEasy), "--quiet"}).out, "");
+}
+
+TEST_F(RunTest, LetsTheCommandLineChangeWorldAndDetector) {
+  const Outcome gone = run_program({"run", scenario(kEasy), "--set", "world.c.cylinder.at=[50, 0]"});
+  EXPECT_EQ(gone.exit_code, 1);
+  const Outcome blind = run_program({"run", scenario(kEasy), "--set", "circles=0"});
+  EXPECT_EQ(blind.exit_code, 1);
+  EXPECT_NE(blind.out.find("truths"), std::string::npos);
+}
+
+TEST_F(RunTest, CountsOnARecordingWithoutScoring) {
+  const std::string log =
+      testing::write_file(folder_ / "a.log", testing::flaser(std::vector<std::string>(181, "2.0"))).string();
+  const Outcome outcome = run_program({"run", scenario(kEasy), "--laser", "log:" + log});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("1 scans"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("not scored"), std::string::npos) << outcome.out;
+}
+
+TEST_F(RunTest, RefusesBadInputInOneLine) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("scanbed: error: ")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(refused({"run", "static_halway"}).find("did you mean 'static_hallway'?"), std::string::npos);
+  EXPECT_NE(refused({"run", scenario("a: [\n")}).find("not valid YAML"), std::string::npos);
+  EXPECT_NE(refused({"run", scenario("")}).find("is empty"), std::string::npos);
+  refused({"run", "/nowhere/a.yaml"});
+  refused({"run", scenario(kEasy), "--laser", "sick:/dev/null"});
+  refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
+  refused({"run", scenario(kEasy), "--preset", "robust"});
+  refused({"run", scenario(kEasy), "--config", "/nowhere.yaml"});
+  // A name with control characters stays one line too.
+  refused({"run", "a\nb"});
+}
+
+TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {
+  EXPECT_EQ(run_program({"run", scenario(kEasy)}, "/dev/full").exit_code, 3);
+  EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"}).exit_code, 3);
+  EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/dev/full"}).exit_code, 3);
+  EXPECT_EQ(run_program({"run", scenario(kEasy), "--out", "/dev/null/x"}).exit_code, 3);
+}
+
+TEST_F(RunTest, TakesPicturesOnlyWhereAFolderIsGiven) {
+  const std::string file = scenario(kEasy + "outputs: {pictures: {top: [1]}}\n");
+  EXPECT_EQ(run_program({"run", file}).out.find("picture:"), std::string::npos);
+  const Outcome outcome = run_program({"run", file, "--out", (folder_ / "p").string()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const std::filesystem::path picture = folder_ / "p/easy_top_1s.png";
+  EXPECT_TRUE(outcome.out.ends_with("picture: " + picture.string() + "\n")) << outcome.out;
+  EXPECT_EQ(testing::read_file(picture).substr(1, 3), "PNG");
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios
