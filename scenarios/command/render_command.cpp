@@ -48,7 +48,7 @@ ExitCode execute(const RenderCommand& command) {
   if (is_interrupted()) return kExitInterrupted;
   const Features& features = detector.detect(scan);
   sim::ScenePainter painter(sensor->world(), command.picture);
-  const sim::Image image = painter.paint(sensor->state(), scan, features, caption(scenario, scan, features));
+  const sim::Image image = painter.paint(sensor->state(), scan, features, caption(scenario, scan));
   sim::write_png(image, command.out);
   write_whole(std::nullopt, "picture: " + command.out.string() + "\n");
   return kExitFine;

@@ -30,9 +30,8 @@ bool shows(const Scenario& scenario, const LaserScan& scan, double time_s) {
   return moment_s < scan.time_s + scenario.lms.scan_period_s - kClockError_s;
 }
 
-std::string caption(const Scenario& scenario, const LaserScan& scan, const Features& features) {
-  return fmt::format("{}  seed {}  t = {:.1f} s  {} lines, {} circles, {} legs", scenario.name, scenario.seed,
-                     scan.time_s, features.lines.size(), features.circles.size(), features.legs.size());
+std::string caption(const Scenario& scenario, const LaserScan& scan) {
+  return fmt::format("{}  seed {}  t = {:.1f} s", scenario.name, scenario.seed, scan.time_s);
 }
 
 PictureTaker::PictureTaker(const Scenario& scenario, const sim::SimulatedLms& sensor,
@@ -62,8 +61,7 @@ void PictureTaker::take(Series& series, const LaserScan& scan, const Features& f
   }
   const std::string name =
       fmt::format("{}_{}_{:g}s.png", scenario_.name, to_string(series.view), series.times_s[series.next]);
-  const sim::Image image =
-      series.painter->paint(sensor_.state(), scan, features, caption(scenario_, scan, features));
+  const sim::Image image = series.painter->paint(sensor_.state(), scan, features, caption(scenario_, scan));
   sim::write_png(image, folder_ / name);
   files_.push_back(folder_ / name);
 }

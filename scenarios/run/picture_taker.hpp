@@ -22,8 +22,8 @@ std::string_view to_string(sim::View view);
 /// falls to its last scan.
 bool shows(const Scenario& scenario, const LaserScan& scan, double time_s);
 
-/// One line about a scan and its features, for the top of its picture.
-std::string caption(const Scenario& scenario, const LaserScan& scan, const Features& features);
+/// One line about a scan, for the top of its picture.
+std::string caption(const Scenario& scenario, const LaserScan& scan);
 
 /// Paints the pictures that a scenario asks for while it runs.
 class PictureTaker {

@@ -35,12 +35,8 @@ TEST(ShowsTest, GivesTheEndToTheLastScan) {
   EXPECT_TRUE(shows(scenario, scan_at(1.8), 2.0));
 }
 
-TEST(CaptionTest, CountsWhatWasDetected) {
-  Features features;
-  features.lines.resize(3);
-  features.legs.resize(1);
-  EXPECT_EQ(caption(ten_scans(), scan_at(0.4), features),
-            "test  seed 1  t = 0.4 s  3 lines, 0 circles, 1 legs");
+TEST(CaptionTest, SaysWhichMomentOfWhichRun) {
+  EXPECT_EQ(caption(ten_scans(), scan_at(0.4)), "test  seed 1  t = 0.4 s");
 }
 
 TEST(PictureTakerTest, PaintsWhatTheScenarioAsksFor) {
