@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/errors/ensure.hpp"
+#include "core/errors/input_error.hpp"
 #include "sim/planar/floor_physics.hpp"
 #include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
@@ -17,6 +18,10 @@ constexpr double kSubsteps_per_s = 300.0;
 
 const World& validated(const World& world) {
   world.validate();
+  for (const double tilt_rad : {world.robot.laser_pitch_rad, world.robot.laser_roll_rad}) {
+    require(tilt_rad == 0.0, "robot: tilt of the laser, in rad", tilt_rad,
+            "0 in the planar engine; the spatial one takes any");
+  }
   return world;
 }
 
@@ -28,6 +33,7 @@ struct PlanarEngine::Impl {
   void step_physics();
   void place_tows();
 
+  Pose2 X_RS;
   DrivePlan drive;
   std::vector<Gait> gaits;
   SliceObjects slice_objects;
@@ -39,7 +45,8 @@ struct PlanarEngine::Impl {
   PlanarSlice slice;
 };
 
-PlanarEngine::Impl::Impl(const World& world) : drive(world.robot), slice_objects(world) {
+PlanarEngine::Impl::Impl(const World& world)
+    : X_RS(world.robot.X_RS), drive(world.robot), slice_objects(world) {
   bool tows = false;
   for (std::size_t i = 0; i < world.walkers.size(); ++i) {
     gaits.emplace_back(world.walkers[i], static_cast<int>(i), world.robot.laser_height_m);
@@ -101,6 +108,10 @@ const WorldState& PlanarEngine::state() const {
 
 const PlanarSlice& PlanarEngine::slice() const {
   return impl_->slice;
+}
+
+Pose2 PlanarEngine::X_LS() const {
+  return impl_->state.X_WR * impl_->X_RS;
 }
 
 const std::vector<SliceObject>& PlanarEngine::objects() const {

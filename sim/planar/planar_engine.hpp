@@ -4,10 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "sim/planar/planar_slice.hpp"
-#include "sim/planar/slice_objects.hpp"
+#include "sim/engine/engine.hpp"
 #include "sim/world/world.hpp"
-#include "sim/world/world_state.hpp"
 
 namespace scanbed::sim {
 
@@ -16,20 +14,17 @@ namespace scanbed::sim {
 /// Robot and walkers follow their scripts exactly; towed cylinders are Box2D's, in fixed steps of 1/300 s
 /// from time 0, straight in between: where they are depends on the time alone, not on the times asked for
 /// before.
-class PlanarEngine {
+class PlanarEngine final : public Engine {
  public:
-  /// @throws InputError where the world does not validate.
+  /// @throws InputError where the world does not validate or its laser is tilted.
   explicit PlanarEngine(const World& world);
-  ~PlanarEngine();
-  PlanarEngine(const PlanarEngine&) = delete;
-  PlanarEngine& operator=(const PlanarEngine&) = delete;
+  ~PlanarEngine() override;
 
-  /// @pre time_s is finite and not before the time of the last call (nor 0).
-  void advance_to(double time_s);
-
-  const WorldState& state() const;
-  const PlanarSlice& slice() const;  ///< at state().time_s
-  const std::vector<SliceObject>& objects() const;
+  void advance_to(double time_s) override;
+  const WorldState& state() const override;
+  const PlanarSlice& slice() const override;  ///< in the world frame: L is W
+  Pose2 X_LS() const override;
+  const std::vector<SliceObject>& objects() const override;
 
  private:
   struct Impl;

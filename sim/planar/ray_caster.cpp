@@ -105,15 +105,15 @@ RayCaster::RayCaster(const ScanGeometry& geometry, BeamSubset subset)
   range_m_.resize(ux_.size(), std::numeric_limits<double>::infinity());
 }
 
-void RayCaster::cast(const PlanarSlice& slice, const Pose2& X_WS) {
+void RayCaster::cast(const PlanarSlice& slice, const Pose2& X_LS) {
   std::fill(inverse_range_.begin(), inverse_range_.end(), 0.0);
   std::fill(winner_.begin(), winner_.end(), kNobody);
   shapes_.clear();
-  const Vector2d x_axis = X_WS.heading();
+  const Vector2d x_axis = X_LS.heading();
   const Vector2d y_axis(-x_axis.y(), x_axis.x());
-  const auto to_sensor = [&](const Vector2d& p_WQ) {
-    const Vector2d p_SQ_W = p_WQ - X_WS.p_m;
-    return Vector2d(x_axis.dot(p_SQ_W), y_axis.dot(p_SQ_W));
+  const auto to_sensor = [&](const Vector2d& p_LQ) {
+    const Vector2d p_SQ_L = p_LQ - X_LS.p_m;
+    return Vector2d(x_axis.dot(p_SQ_L), y_axis.dot(p_SQ_L));
   };
   for (const SliceSegment& segment : slice.segments) {
     const auto shape = static_cast<double>(shapes_.size());

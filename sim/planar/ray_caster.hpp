@@ -34,8 +34,8 @@ class RayCaster {
   /// @pre geometry.step_rad > 0, the beams go round at most once; the subset is not negative, its stride > 0.
   explicit RayCaster(const ScanGeometry& geometry, BeamSubset subset = {});
 
-  /// Casts all beams of the subset from a sensor at X_WS.
-  void cast(const PlanarSlice& slice, const Pose2& X_WS);
+  /// Casts all beams of the subset from a sensor at X_LS in the frame of the slice.
+  void cast(const PlanarSlice& slice, const Pose2& X_LS);
 
   // The i-th beam of the subset, in the last cast.
   int num_beams() const { return static_cast<int>(range_m_.size()); }

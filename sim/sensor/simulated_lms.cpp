@@ -7,6 +7,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "core/score/visibility.hpp"
+#include "sim/engine/engine.hpp"
 #include "sim/planar/planar_engine.hpp"
 #include "sim/planar/ray_caster.hpp"
 #include "sim/sensor/lms_model.hpp"
@@ -43,7 +44,7 @@ struct SimulatedLms::Impl {
 
   SimulationOptions options;
   World world;
-  PlanarEngine engine;
+  std::unique_ptr<Engine> engine;
   ScanGeometry geometry;
   LmsModel model;
   std::vector<RayCaster> casters;  ///< one for each rotation
@@ -57,28 +58,28 @@ struct SimulatedLms::Impl {
 SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
     : options(validated(given)),
       world(std::move(description)),
-      engine(world),
+      engine(std::make_unique<PlanarEngine>(world)),
       geometry(geometry_of(options.lms)),
       model(options.lms, options.seed),
-      truth_maker(engine.objects(), geometry.num_beams),
+      truth_maker(engine->objects(), geometry.num_beams),
       words(geometry.num_beams),
       // The slack keeps 0.3 s at 0.1 s from having a fourth scan: 0.3 / 0.1 is a little less than 3.
       num_scans(static_cast<std::int64_t>(std::ceil(options.duration_s / options.lms.scan_period_s - 1e-9))),
-      state(engine.state()) {
+      state(engine->state()) {
   const int stride = geometry.timing.num_rotations;
   for (int first = 0; first < stride; ++first) casters.emplace_back(geometry, BeamSubset{first, stride});
 }
 
 void SimulatedLms::Impl::measure_rotation(int rotation, double time_s) {
-  engine.advance_to(time_s);
-  const Pose2 X_WS = engine.state().X_WR * world.robot.X_RS;
+  engine->advance_to(time_s);
   if (rotation == 0) {
-    state = engine.state();
-    truth_maker.begin(X_WS);
+    state = engine->state();
+    truth_maker.begin(engine->state().X_WR * world.robot.X_RS);
   }
+  const Pose2 X_LS = engine->X_LS();
   RayCaster& caster = casters[rotation];
-  caster.cast(engine.slice(), X_WS);
-  truth_maker.add_rotation(caster, engine.slice(), X_WS, geometry.max_range_m);
+  caster.cast(engine->slice(), X_LS);
+  truth_maker.add_rotation(caster, engine->slice(), X_LS, geometry.max_range_m);
   for (int i = 0; i < caster.num_beams(); ++i) {
     const int beam = caster.scan_beam(i);
     words[beam] = model.measure(caster.range_m(i), next_scan, beam);

@@ -22,15 +22,15 @@ void TruthMaker::begin(const Pose2& X_WS) {
   num_rotations_ = 0;
 }
 
-void TruthMaker::add_rotation(const RayCaster& caster, const PlanarSlice& slice, const Pose2& X_WS,
+void TruthMaker::add_rotation(const RayCaster& caster, const PlanarSlice& slice, const Pose2& X_LS,
                               double max_range_m) {
   const int rotation = num_rotations_++;
   if (static_cast<int>(places_.size()) < num_rotations_) places_.emplace_back();
   std::vector<Place>& places = places_[rotation];
   places.assign(truth_.objects.size(), {});
-  const Pose2 X_SW = X_WS.inverse();
-  for (const SliceSegment& s : slice.segments) places[s.object] = {X_SW * s.a_m, X_SW * s.b_m};
-  for (const SliceDisc& d : slice.discs) places[d.object].a_m = X_SW * d.center_m;
+  const Pose2 X_SL = X_LS.inverse();
+  for (const SliceSegment& s : slice.segments) places[s.object] = {X_SL * s.a_m, X_SL * s.b_m};
+  for (const SliceDisc& d : slice.discs) places[d.object].a_m = X_SL * d.center_m;
   for (int i = 0; i < caster.num_beams(); ++i) {
     BeamTruth& beam = truth_.beams[caster.scan_beam(i)];
     beam = {};

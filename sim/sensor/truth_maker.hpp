@@ -18,9 +18,9 @@ class TruthMaker {
   /// Begins a scan that starts with the sensor at X_WS.
   void begin(const Pose2& X_WS);
 
-  /// Adds a rotation, in the order of time: what its beams met, and where things were from a sensor at X_WS.
+  /// Adds a rotation, in the order of time: what its beams met, and where things were from a sensor at X_LS.
   /// Returns beyond `max_range_m` count as none.
-  void add_rotation(const RayCaster& caster, const PlanarSlice& slice, const Pose2& X_WS, double max_range_m);
+  void add_rotation(const RayCaster& caster, const PlanarSlice& slice, const Pose2& X_LS, double max_range_m);
 
   /// Counts clean beams and puts each object where it was at the time of its middle clean beam (without one:
   /// at the scan's time).

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/errors/input_error.hpp"
 #include "sim/world/rounded_path.hpp"
@@ -123,6 +124,11 @@ void check_robot(const Robot& robot) {
   require_pose(robot.X_WR, "robot");
   require_pose(robot.X_RS, "robot: laser");
   require_positive(robot.laser_height_m, "robot: laser_height_m");
+  for (const auto& [tilt_rad, name] :
+       {std::pair(robot.laser_pitch_rad, "pitch"), std::pair(robot.laser_roll_rad, "roll")}) {
+    require(std::abs(tilt_rad) <= radians(80.0), std::string("robot: laser_") + name + "_rad", tilt_rad,
+            "[-1.396, 1.396], 80 degrees");
+  }
   require_positive(robot.speed_m_per_s, "robot: speed_m_per_s");
   require_positive(robot.turn_rad_per_s, "robot: turn_rad_per_s");
   require_positive(robot.radius_m, "robot: radius_m");

@@ -98,6 +98,8 @@ struct Robot {
   Pose2 X_WR;                    ///< at the start
   Pose2 X_RS;                    ///< laser on the robot, in the plane
   double laser_height_m = 0.28;  ///< above the floor
+  double laser_pitch_rad = 0.0;  ///< about the laser's y axis after X_RS; positive looks down
+  double laser_roll_rad = 0.0;   ///< about the laser's x axis after the pitch; positive lowers its right side
   double speed_m_per_s = 0.3;    ///< of Go
   double turn_rad_per_s = 0.5;   ///< of Turn
   double radius_m = 0.22;        ///< body: for pictures and collisions

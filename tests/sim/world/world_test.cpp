@@ -129,6 +129,8 @@ TEST(WorldTest, NamesTheFieldOfTheRobotThatCannotBe) {
   expect_refused([](World& w) { w.robot.speed_m_per_s = 0; }, "robot: speed_m_per_s");
   expect_refused([](World& w) { w.robot.turn_rad_per_s = -1; }, "robot: turn_rad_per_s");
   expect_refused([](World& w) { w.robot.radius_m = 0; }, "robot: radius_m");
+  expect_refused([](World& w) { w.robot.laser_pitch_rad = 1.5; }, "robot: laser_pitch_rad: value 1.5");
+  expect_refused([](World& w) { w.robot.laser_roll_rad = kNan; }, "robot: laser_roll_rad: value nan");
   expect_refused([](World& w) { w.robot.drive[0] = Wait{-1}; }, "robot: drive step 0: wait: value -1");
   expect_refused([](World& w) { w.robot.drive[1] = Turn{kNan}; }, "robot: drive step 1: turn");
   expect_refused([](World& w) { w.robot.drive[2] = Go{kInf}; }, "robot: drive step 2: go: value inf");
