@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/errors/input_error.hpp"
 
 namespace scanbed::scenarios {
@@ -22,7 +24,10 @@ std::string to_string(const Place& place) {
 }
 
 void refuse(const Place& place, std::string_view message) {
-  throw InputError(fmt::format("{}: {}", to_string(place), message));
+  std::string line = fmt::format("{}: {}", to_string(place), message);
+  // Messages repeat what stands in the file: ids, and words that the YAML library quotes.
+  std::replace_if(line.begin(), line.end(), is_control, '?');
+  throw InputError(line);
 }
 
 std::string quote(std::string_view text) {

@@ -17,7 +17,7 @@ struct Place {
 /// "file:line:column", or the source alone where it has no lines.
 std::string to_string(const Place& place);
 
-/// @throws InputError "file:line:column: message", always.
+/// @throws InputError "file:line:column: message", always; with control characters as '?', so one line.
 [[noreturn]] void refuse(const Place& place, std::string_view message);
 
 /// Text from outside, fit for a one-line message: in quotes, shortened to 40 characters, control characters

@@ -20,6 +20,10 @@ TEST(RefuseTest, ThrowsAnInputErrorThatBeginsWithThePlace) {
   EXPECT_EQ(testing::error_of([] { refuse({kFile, 3, 14}, "no"); }), "hall.yaml:3:14: no");
 }
 
+TEST(RefuseTest, KeepsAMessageOnOneLineWhateverItRepeats) {
+  EXPECT_EQ(testing::error_of([] { refuse({kFile, 3, 14}, "key a\nb\x1b"); }), "hall.yaml:3:14: key a?b?");
+}
+
 TEST(QuoteTest, KeepsAMessageOnOneShortLine) {
   EXPECT_EQ(quote("raduis"), "'raduis'");
   EXPECT_EQ(quote(""), "''");
