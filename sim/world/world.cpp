@@ -88,14 +88,20 @@ struct CheckShape {
   }
 };
 
+void check_material(const Material& material, const std::string& name) {
+  require(material.reflectivity > 0.0 && material.reflectivity <= 1.0, name + ": reflectivity",
+          material.reflectivity, "(0, 1]");
+  require(material.roughness_m >= 0.0 && material.roughness_m <= 1.0, name + ": roughness_m",
+          material.roughness_m, "[0, 1]");
+}
+
 void check_solid(const Solid& solid) {
   const std::string name = quoted("solid", solid.id);
   std::visit(CheckShape{name}, solid.shape);
   require(std::isfinite(solid.bottom_m), name + ": bottom_m", solid.bottom_m, "finite");
   require(std::isfinite(solid.top_m) && solid.top_m > solid.bottom_m, name + ": top_m", solid.top_m,
           "finite, > bottom_m");
-  const double reflectivity = solid.material.reflectivity;
-  require(reflectivity > 0.0 && reflectivity <= 1.0, name + ": reflectivity", reflectivity, "(0, 1]");
+  check_material(solid.material, name);
 }
 
 void check_tow(const Tow& tow) {
@@ -105,6 +111,7 @@ void check_tow(const Tow& tow) {
   require_positive(tow.rope_m, name + ": rope_m");
   require_positive(tow.mass_kg, name + ": mass_kg");
   require_not_negative(tow.friction, name + ": friction");
+  check_material(tow.material, name);
 }
 
 void check_walker(const Walker& walker) {
@@ -117,6 +124,7 @@ void check_walker(const Walker& walker) {
   require_positive(walker.leg_length_m, name + ": leg_length_m");
   require_not_negative(walker.step_width_m, name + ": step_width_m");
   require_positive(walker.height_m, name + ": height_m");
+  check_material(walker.material, name);
   if (walker.tow) check_tow(*walker.tow);
 }
 

@@ -14,6 +14,8 @@ namespace scanbed::sim {
 /// How a surface answers the laser.
 struct Material {
   double reflectivity = 0.5;  ///< diffuse, (0, 1]
+  bool glass = false;         ///< throws light back only when hit nearly head-on, else off to elsewhere
+  double roughness_m = 0.0;   ///< standard deviation of its depth from beam to beam: cloth, bark, leaves
 };
 
 /// Thin upright walls along a polyline; each edge is one wall, named "<id>.<n>" from 0 in truth.
@@ -66,6 +68,7 @@ struct Tow {
   double rope_m = 0.9;  ///< from the walker's pelvis to the cylinder's surface, when taut
   double mass_kg = 8.0;
   double friction = 0.3;  ///< Coulomb, between cylinder and floor
+  Material material;
 };
 
 /// A person. Legs are cylinders at the laser's height, in truth "<id>.left_leg" and "<id>.right_leg".
@@ -79,6 +82,7 @@ struct Walker {
   double step_width_m = 0.10;  ///< between the feet, across the direction of walking
   double height_m = 1.75;
   std::optional<Tow> tow;
+  Material material;  ///< of the legs, as clothed
 };
 
 // Steps of a robot's drive plan, one after the other; it stands still when they are done.

@@ -78,5 +78,24 @@ RC_GTEST_PROP(LmsWordTest, IsWithinHalfAStepOfTheRange, ()) {
   RC_ASSERT(std::abs(decoded_m - range_m) <= 0.0005 + 1e-12);
 }
 
+// SICK's overflow codes of the three widths: xFFF, xFFE and xFF7 with x = 1, 3 and 7.
+TEST(LmsWordTest, WiderWordsReachFartherAndKeepTheirCodes) {
+  EXPECT_EQ(lms_max_range_m(kMm, 14), 16.374);
+  EXPECT_EQ(lms_max_range_m(kMm, 15), 32.758);
+  EXPECT_EQ(lms_code(kLmsDazzled, 13), 0x1FFE);
+  EXPECT_EQ(lms_code(kLmsDazzled, 14), 0x3FFE);
+  EXPECT_EQ(lms_code(kLmsDazzled, 15), 0x7FFE);
+  EXPECT_EQ(encode_lms_word(20.0, kMm, 15), 20000);
+  EXPECT_EQ(encode_lms_word(20.0, kMm, 14), 0x3FF7);
+  EXPECT_EQ(encode_lms_word(kNoEcho, kMm, 15), 0x7FFF);
+  for (const int bits : {13, 14, 15}) {
+    EXPECT_EQ(decode_lms_word(encode_lms_word(1.234, kMm, bits), kMm, bits), 1.234);
+    EXPECT_EQ(decode_lms_word(lms_code(kLmsNoStopSignal, bits), kMm, bits), kNoEcho);
+    EXPECT_EQ(decode_lms_word(lms_code(kLmsBeyondMax, bits), kMm, bits), kNoEcho);
+    EXPECT_TRUE(std::isnan(decode_lms_word(lms_code(kLmsDazzled, bits), kMm, bits)));
+  }
+  EXPECT_EQ(decode_lms_word(0x1FFE, kMm, 14), 8.190);  // a range there, not a code
+}
+
 }  // namespace
 }  // namespace scanbed
