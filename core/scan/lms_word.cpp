@@ -14,6 +14,10 @@ double steps_per_metre(RangeUnit unit) {
   return unit == RangeUnit::kMillimetre ? 1000.0 : 100.0;
 }
 
+bool has_bit(unsigned bits, int bit) {
+  return ((bits >> bit) & 1U) != 0;
+}
+
 }  // namespace
 
 double lms_step_m(RangeUnit unit) {
@@ -43,6 +47,62 @@ double decode_lms_word(std::uint16_t word, RangeUnit unit, int bits) {
   if (steps <= lms_code(kLmsMaxSteps, bits)) return steps / steps_per_metre(unit);
   if (steps == lms_code(kLmsNoStopSignal, bits) || steps == lms_code(kLmsBeyondMax, bits)) return kNoEcho;
   return kInvalid;
+}
+
+std::optional<LmsWordFormat> lms_word_format(std::uint8_t measuring_mode) {
+  using Flags = LmsWordFormat::Flags;
+  switch (measuring_mode) {
+    case 0x00:
+      return LmsWordFormat{13, Flags::kFieldsAbAndDazzle};
+    case 0x01:
+      return LmsWordFormat{13, Flags::kReflector};
+    case 0x02:
+      return LmsWordFormat{13, Flags::kFieldsAbc};
+    case 0x03:
+      return LmsWordFormat{14, Flags::kReflector};
+    case 0x04:
+      return LmsWordFormat{14, Flags::kFieldsAb};
+    case 0x05:
+      return LmsWordFormat{15, Flags::kReflector};
+    case 0x06:
+      return LmsWordFormat{15, Flags::kFieldA};
+    case 0x0F:
+      return LmsWordFormat{15, Flags::kNone};
+    default:
+      return std::nullopt;
+  }
+}
+
+void decode_lms_words(std::span<const std::uint16_t> words, RangeUnit unit, const LmsWordFormat& format,
+                      std::span<double> range_m) {
+  SCANBED_ENSURE(words.size() == range_m.size());
+  const int mask = (1 << format.range_bits) - 1;
+  const int max_steps = mask - (kLmsRangeMask - kLmsMaxSteps);
+  const int beyond_max = max_steps + 1;
+  const double per_metre = steps_per_metre(unit);
+  // Without branches, so that compilers can treat several words at once.
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const int steps = words[i] & mask;
+    const double code = steps == mask || steps == beyond_max ? kNoEcho : kInvalid;
+    const double measured_m = steps / per_metre;
+    range_m[i] = steps <= max_steps ? measured_m : code;
+  }
+}
+
+LmsWordFlags lms_word_flags(std::uint16_t word, const LmsWordFormat& format) {
+  using Flags = LmsWordFormat::Flags;
+  const unsigned bits = static_cast<unsigned>(word) >> format.range_bits;
+  LmsWordFlags flags;
+  if (format.flags == Flags::kNone) return flags;
+  if (format.flags == Flags::kReflector) {
+    flags.reflector = static_cast<int>(bits);
+    return flags;
+  }
+  flags.in_field_a = has_bit(bits, 0);
+  flags.in_field_b = format.flags != Flags::kFieldA && has_bit(bits, 1);
+  flags.in_field_c = format.flags == Flags::kFieldsAbc && has_bit(bits, 2);
+  flags.is_dazzled = format.flags == Flags::kFieldsAbAndDazzle && has_bit(bits, 2);
+  return flags;
 }
 
 }  // namespace scanbed

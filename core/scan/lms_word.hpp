@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 
 namespace scanbed {
 
@@ -41,5 +43,39 @@ std::uint16_t encode_lms_word(double range_m, RangeUnit unit, int bits = 13);
 ///
 /// @par Source  SICK, "Telegrams for Configuring and Operating the LMS 2xx", measured value overflow codes.
 double decode_lms_word(std::uint16_t word, RangeUnit unit, int bits = 13);
+
+/// What the 16 bits of a word hold: the range below, flags above it. Which of them depends on the sensor's
+/// measuring mode.
+struct LmsWordFormat {
+  int range_bits = 13;  ///< 13, 14 or 15: 8, 16 or 32 m in millimetres
+  /// What stands in the bits above the range, from bit range_bits up.
+  enum class Flags { kFieldsAbAndDazzle, kReflector, kFieldsAbc, kFieldsAb, kFieldA, kNone };
+  Flags flags = Flags::kFieldsAbAndDazzle;
+
+  friend bool operator==(const LmsWordFormat&, const LmsWordFormat&) = default;
+};
+
+/// What a word says beside its range.
+struct LmsWordFlags {
+  bool in_field_a = false;
+  bool in_field_b = false;
+  bool in_field_c = false;
+  bool is_dazzled = false;
+  int reflector = 0;  ///< brightness of a reflector in the steps that the mode has; 0 is none
+};
+
+/// Format of measuring modes 00 to 06 and 0F; empty for others, which carry no ranges (3F: reflectivity) or
+/// do not exist.
+///
+/// @par Source  SICK, "Telegrams for Configuring and Operating the LMS 2xx", measuring modes.
+std::optional<LmsWordFormat> lms_word_format(std::uint8_t measuring_mode);
+
+/// Words to ranges as decode_lms_word does it, in any format: the codes of the 14- and 15-bit formats are
+/// those of the 13-bit one with the further bits set (3FFFh, 7FFFh: no echo).
+/// @pre  as many ranges as words. Checked; aborts.
+void decode_lms_words(std::span<const std::uint16_t> words, RangeUnit unit, const LmsWordFormat& format,
+                      std::span<double> range_m);
+
+LmsWordFlags lms_word_flags(std::uint16_t word, const LmsWordFormat& format);
 
 }  // namespace scanbed

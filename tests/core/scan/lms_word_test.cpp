@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <utility>
+
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
@@ -95,6 +97,59 @@ TEST(LmsWordTest, WiderWordsReachFartherAndKeepTheirCodes) {
     EXPECT_TRUE(std::isnan(decode_lms_word(lms_code(kLmsDazzled, bits), kMm, bits)));
   }
   EXPECT_EQ(decode_lms_word(0x1FFE, kMm, 14), 8.190);  // a range there, not a code
+}
+
+double decoded_m(int word, std::uint8_t mode, RangeUnit unit = kMm) {
+  const std::uint16_t words[] = {static_cast<std::uint16_t>(word)};
+  double range_m[1];
+  decode_lms_words(words, unit, *lms_word_format(mode), range_m);
+  return range_m[0];
+}
+
+TEST(LmsWordTest, MeasuringModesSayHowManyBitsTheRangeHas) {
+  EXPECT_EQ(lms_max_range_m(kMm, lms_word_format(0x00)->range_bits), 8.182);
+  EXPECT_EQ(lms_max_range_m(kMm, lms_word_format(0x03)->range_bits), 16.374);
+  EXPECT_EQ(lms_max_range_m(kMm, lms_word_format(0x05)->range_bits), 32.758);
+  EXPECT_EQ(decoded_m(0x4000 | 12345, 0x04), 12.345);
+  EXPECT_EQ(decoded_m(0x8000 | 23456, 0x06), 23.456);
+  EXPECT_EQ(decoded_m(23456, 0x0F, kCm), 234.56);
+}
+
+TEST(LmsWordTest, OverflowCodesFillTheRangeBitsOfEachMode) {
+  for (const auto& [mode, top] : {std::pair{0x00, 0x1FFF}, {0x03, 0x3FFF}, {0x06, 0x7FFF}}) {
+    const auto m = static_cast<std::uint8_t>(mode);
+    EXPECT_EQ(decoded_m(top, m), kNoEcho);
+    EXPECT_EQ(decoded_m(top - 8, m), kNoEcho);
+    for (const int below : {1, 2, 3, 4, 5, 6, 7}) EXPECT_TRUE(std::isnan(decoded_m(top - below, m)));
+    EXPECT_EQ(decoded_m(top - 9, m), (top - 9) / 1000.0);
+  }
+}
+
+TEST(LmsWordTest, FlagsAreWhatTheModePutsAboveTheRange) {
+  const LmsWordFlags dazzled = lms_word_flags(0xA000, *lms_word_format(0x00));
+  EXPECT_TRUE(dazzled.in_field_a && !dazzled.in_field_b && dazzled.is_dazzled && !dazzled.in_field_c);
+  const LmsWordFlags fields = lms_word_flags(0xC000, *lms_word_format(0x02));
+  EXPECT_TRUE(!fields.in_field_a && fields.in_field_b && fields.in_field_c && !fields.is_dazzled);
+  EXPECT_EQ(lms_word_flags(0xE000, *lms_word_format(0x01)).reflector, 7);
+  EXPECT_EQ(lms_word_flags(0xC000, *lms_word_format(0x03)).reflector, 3);
+  EXPECT_EQ(lms_word_flags(0x8000, *lms_word_format(0x05)).reflector, 1);
+  EXPECT_TRUE(lms_word_flags(0x8000, *lms_word_format(0x04)).in_field_b);
+  const LmsWordFlags one = lms_word_flags(0x8000, *lms_word_format(0x06));
+  EXPECT_TRUE(one.in_field_a && !one.in_field_b);
+  EXPECT_FALSE(lms_word_flags(0xFFFF, *lms_word_format(0x0F)).in_field_a);
+}
+
+TEST(LmsWordTest, ReflectivityAndUnknownModesHaveNoRanges) {
+  EXPECT_FALSE(lms_word_format(0x3F).has_value());
+  EXPECT_FALSE(lms_word_format(0x07).has_value());
+}
+
+TEST(LmsWordTest, AllWordsAtOnceAreTheWordsOneByOne) {
+  for (int word = 0; word <= 0xFFFF; ++word) {
+    const double one_m = decode_lms_word(static_cast<std::uint16_t>(word), kMm);
+    const double all_m = decoded_m(word, 0x00);
+    ASSERT_TRUE(one_m == all_m || (std::isnan(one_m) && std::isnan(all_m))) << word;
+  }
 }
 
 }  // namespace

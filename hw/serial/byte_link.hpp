@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "hw/serial/bytes.hpp"
+#include "hw/serial/stop_signal.hpp"
+
+namespace scanbed::hw {
+
+/// Bytes to and from a device, over a serial port or a network.
+class ByteLink {
+ public:
+  ByteLink() = default;
+  ByteLink(const ByteLink&) = delete;
+  ByteLink& operator=(const ByteLink&) = delete;
+  virtual ~ByteLink() = default;
+
+  /// Waits for at least one byte and gives what is there; 0 where `timeout_s` passes first.
+  /// @throws SensorFault kDisconnected where the other end went away; Stopped.
+  virtual std::size_t read(std::span<std::uint8_t> buffer, double timeout_s, const StopSignal& stop) = 0;
+
+  /// Writes all; waits no longer than the link takes for it, and a second.
+  /// @throws SensorFault as read(), and kTimeout where the link takes nothing; Stopped.
+  virtual void write(ByteView bytes, const StopSignal& stop) = 0;
+
+  /// Forgets what arrived and was not read.
+  virtual void flush_input() = 0;
+
+  /// @throws SensorFault where the link has bauds, but not this one. Links without bauds ignore it.
+  virtual void set_baud(int /*baud*/) {}
+};
+
+}  // namespace scanbed::hw

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "hw/serial/serial_port.hpp"
+
+// <termios.h> has neither termios2 nor BOTHER, and cannot be included beside this.
+#include <asm/ioctls.h>
+#include <asm/termbits.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "core/errors/sensor_fault.hpp"
+#include "hw/serial/steady_clock.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr int kFastestUnpacedBaud = 115200;
+constexpr auto kByteGap = std::chrono::microseconds(60);
+constexpr double kWritePatience_s = 1.0;
+
+SensorFault fault(const std::string& message) {
+  return {SensorFault::Kind::kDisconnected, message};
+}
+
+std::string advice(int error, const std::string& path) {
+  switch (error) {
+    case ENOENT:
+    case ENXIO:
+    case ENODEV:
+      return "no such port; is it plugged in? `scanbed devices` lists the ports";
+    case EACCES:
+    case EPERM:
+      return "no permission; join the group that owns it: `sudo usermod -aG dialout $USER`, then log in "
+             "again";
+    case EBUSY:
+    case EWOULDBLOCK:
+      return "in use by another program; `fuser -v " + path + "` tells which";
+    case ENOTTY:
+      return "not a serial port; `scanbed devices` lists the ports";
+    default:
+      return std::strerror(error);
+  }
+}
+
+FileDescriptor open_port(const std::string& path) {
+  FileDescriptor fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!fd.is_open()) throw fault(path + ": " + advice(errno, path));
+  termios2 settings{};
+  if (::ioctl(fd.get(), TCGETS2, &settings) != 0) throw fault(path + ": " + advice(errno, path));
+  // TIOCEXCL keeps other users out, the lock also a second scanbed of the superuser.
+  if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) throw fault(path + ": " + advice(errno, path));
+  ::ioctl(fd.get(), TIOCEXCL);
+  return fd;
+}
+
+void make_raw(termios2& settings, int baud) {
+  settings.c_iflag = 0;
+  settings.c_oflag = 0;
+  settings.c_lflag = 0;
+  settings.c_cflag = CS8 | CREAD | CLOCAL | BOTHER | (BOTHER << IBSHIFT);
+  settings.c_ispeed = static_cast<speed_t>(baud);
+  settings.c_ospeed = static_cast<speed_t>(baud);
+  settings.c_cc[VMIN] = 0;
+  settings.c_cc[VTIME] = 0;
+}
+
+}  // namespace
+
+SerialPort::SerialPort(const std::string& path) : path_(path), fd_(open_port(path)) {
+  set_baud(9600);
+}
+
+void SerialPort::lose(const char* what) const {
+  throw fault(path_ + ": port lost (" + what + "); was it unplugged?");
+}
+
+void SerialPort::set_baud(int baud) {
+  termios2 settings{};
+  if (::ioctl(fd_.get(), TCGETS2, &settings) != 0) lose(std::strerror(errno));
+  make_raw(settings, baud);
+  // Waits for what is still being sent, and drops what came in at the old baud.
+  if (::ioctl(fd_.get(), TCSETSF2, &settings) != 0) lose(std::strerror(errno));
+  termios2 now{};
+  const bool has_taken_it =
+      ::ioctl(fd_.get(), TCGETS2, &now) == 0 && std::abs(static_cast<int>(now.c_ospeed) - baud) * 50 <= baud;
+  if (!has_taken_it) {
+    throw fault(path_ + ": the port cannot do " + std::to_string(baud) + " baud; choose another with ?baud=");
+  }
+  baud_ = baud;
+}
+
+void SerialPort::flush_input() {
+  ::ioctl(fd_.get(), TCFLSH, TCIFLUSH);
+}
+
+std::size_t SerialPort::read(std::span<std::uint8_t> buffer, double timeout_s, const StopSignal& stop) {
+  if (!wait_for(fd_.get(), POLLIN, timeout_s, stop)) return 0;
+  const ssize_t count = ::read(fd_.get(), buffer.data(), buffer.size());
+  if (count > 0) return static_cast<std::size_t>(count);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
+  // A port that can be read but gives nothing has hung up.
+  lose(count == 0 ? "hung up" : std::strerror(errno));
+}
+
+void SerialPort::write_some(ByteView& bytes, const StopSignal& stop) {
+  const bool is_paced = baud_ > kFastestUnpacedBaud;
+  const ssize_t count = ::write(fd_.get(), bytes.data(), is_paced ? 1 : bytes.size());
+  if (count > 0) {
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    if (is_paced) std::this_thread::sleep_for(kByteGap);
+    return;
+  }
+  if (count < 0 && errno != EAGAIN && errno != EINTR) lose(std::strerror(errno));
+  wait_for(fd_.get(), POLLOUT, 0.05, stop);
+}
+
+void SerialPort::write(ByteView bytes, const StopSignal& stop) {
+  const double wire_s = static_cast<double>(bytes.size()) * 10.0 / baud_;
+  const double deadline_s = steady_now_s() + wire_s + kWritePatience_s;
+  while (!bytes.empty()) {
+    write_some(bytes, stop);
+    if (steady_now_s() > deadline_s) {
+      throw SensorFault(SensorFault::Kind::kTimeout, path_ + ": the port takes no bytes");
+    }
+  }
+}
+
+int terminal_baud(int fd) {
+  termios2 settings{};
+  return ::ioctl(fd, TCGETS2, &settings) == 0 ? static_cast<int>(settings.c_ospeed) : 0;
+}
+
+}  // namespace scanbed::hw

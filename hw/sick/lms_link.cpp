@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "hw/sick/lms_link.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "hw/serial/steady_clock.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+// The shortest pause that a sensor wants after it said NAK.
+constexpr double kPauseAfterNak_s = 0.03;
+// A sensor that acknowledged is quiet until it answers. More garbage than this behind an acknowledgement, and
+// it was garbage itself: a stream at another baud is full of them.
+constexpr std::int64_t kMostGarbageAfterAck = 32;
+// Nothing is read for longer in one go, so that half a telegram expires in time.
+constexpr double kLongestRead_s = 0.5 * TelegramDecoder::kExpiry_s;
+constexpr std::size_t kReadBytes = 4096;
+
+std::string hex(std::uint8_t byte) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "%02Xh", byte);
+  return text.data();
+}
+
+std::string name_of(const LmsCommand& command) {
+  const Bytes body = encode(command);
+  std::string name = hex(body[0]);
+  if ((body[0] == 0x20 || body[0] == 0x30) && body.size() > 1) name += " " + hex(body[1]);
+  return name;
+}
+
+}  // namespace
+
+LmsLink::LmsLink(ByteLink& port, const SickPatience& patience, const StopSignal& stop)
+    : port_(port), patience_(patience), stop_(stop) {}
+
+void LmsLink::flush() {
+  port_.flush_input();
+  decoder_.clear();
+}
+
+void LmsLink::set_baud(int baud) {
+  port_.set_baud(baud);
+  flush();
+}
+
+void LmsLink::tell(const LmsCommand& command) {
+  port_.write(frame_telegram(0x00, encode(command)), stop_);
+}
+
+bool LmsLink::next_item(WireItem& item, double deadline_s) {
+  std::array<std::uint8_t, kReadBytes> buffer{};
+  while (!decoder_.next(item)) {
+    const double left_s = deadline_s - steady_now_s();
+    if (left_s < 0.0) return false;
+    const std::size_t count = port_.read(buffer, std::min(left_s, kLongestRead_s), stop_);
+    const double now_s = steady_now_s();
+    if (count > 0) {
+      last_read_s_ = now_s;
+      decoder_.feed(ByteView(buffer).first(count), now_s);
+    } else {
+      decoder_.expire(now_s);
+    }
+  }
+  return true;
+}
+
+bool LmsLink::next_telegram(WireItem& item, double timeout_s, double& arrival_s) {
+  const double deadline_s = steady_now_s() + timeout_s;
+  while (next_item(item, deadline_s)) {
+    arrival_s = last_read_s_;
+    if (item.kind == WireItem::Kind::kTelegram) return true;
+    // Garbage may be one long row of acknowledgements.
+    if (steady_now_s() > deadline_s) return false;
+  }
+  return false;
+}
+
+LmsLink::Try LmsLink::wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply) {
+  const double start_s = steady_now_s();
+  const double reply_s = how.reply_s > 0.0 ? how.reply_s : patience_.reply_s;
+  const double first_sign_s = start_s + (how.first_sign_s > 0.0 ? how.first_sign_s : patience_.ack_s);
+  double deadline_s = first_sign_s;
+  std::int64_t garbage_at_ack = decoder_.counts().num_garbage_bytes;
+  WireItem item;
+  while (true) {
+    // Looked at often, so that a false acknowledgement does not hold up the probe of a wrong baud for long.
+    const bool has_item = next_item(item, std::min(deadline_s, std::max(first_sign_s, steady_now_s()) + 0.1));
+    const bool is_noise = decoder_.counts().num_garbage_bytes - garbage_at_ack > kMostGarbageAfterAck;
+    if (is_noise) deadline_s = first_sign_s;
+    if (!has_item) {
+      if (steady_now_s() >= deadline_s) return Try::kSilence;
+      continue;
+    }
+    if (item.kind == WireItem::Kind::kNakByte && !is_noise) return Try::kRejected;
+    if (item.kind == WireItem::Kind::kAckByte) {
+      garbage_at_ack = decoder_.counts().num_garbage_bytes;
+      deadline_s = start_s + reply_s;
+    }
+    if (steady_now_s() > start_s + 2.0 * reply_s) return Try::kSilence;
+    if (item.kind != WireItem::Kind::kTelegram) continue;
+    auto stated = parse_reply(item.body);
+    if (!stated) continue;
+    const LmsReply& got = stated->reply;
+    if (const auto* type = std::get_if<TypeReply>(&got); type != nullptr && type->is_power_on) {
+      throw LmsReboot("the sensor started anew (" + type->text + ")");
+    }
+    if (got.index() != index && !std::holds_alternative<RefusedReply>(got)) continue;
+    reply = std::move(stated->reply);
+    return Try::kAnswered;
+  }
+}
+
+LmsReply LmsLink::ask_for(const LmsCommand& command, std::size_t index, const Ask& how) {
+  ++counts_.num_requests;
+  for (int i = 0; i < how.num_tries; ++i) {
+    if (i > 0) ++counts_.num_retries;
+    flush();
+    tell(command);
+    std::optional<LmsReply> reply;
+    const Try outcome = wait_for_reply(index, how, reply);
+    if (outcome == Try::kAnswered) {
+      if (!std::holds_alternative<RefusedReply>(*reply)) return std::move(*reply);
+      throw LmsRefusal("the sensor refused command " + name_of(command) + " as illegal (92h)");
+    }
+    if (outcome == Try::kRejected) {
+      ++counts_.num_naks;
+      stop_.sleep(kPauseAfterNak_s);
+    }
+  }
+  throw SensorFault(SensorFault::Kind::kTimeout, "no answer to command " + name_of(command) + " in " +
+                                                     std::to_string(how.num_tries) + " tries");
+}
+
+}  // namespace scanbed::hw

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "hw/sick/lms_session.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "hw/serial/steady_clock.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr int kTriesAtABaud = 2;
+constexpr double kCloseReply_s = 0.07;
+
+void check_done(const ModeReply& reply, const std::string& what) {
+  if (reply.result == 0) return;
+  throw LmsRefusal("the sensor refused " + what + " (result " + std::to_string(reply.result) +
+                   (reply.result == 1 ? ": wrong password or not allowed)" : ": fault)"));
+}
+
+std::string text_of(const LmsVariant& variant) {
+  return std::to_string(variant.fov_deg) + " degrees at " + std::to_string(variant.resolution_cdeg) +
+         " hundredths of a degree";
+}
+
+void set_mode(LmsLink& link, LmsMode mode, const std::string& what) {
+  check_done(link.ask<ModeReply>(SetModeCommand{mode}), what);
+}
+
+bool answers(LmsLink& link) {
+  try {
+    link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, {.num_tries = kTriesAtABaud});
+    return true;
+  } catch (const LmsReboot&) {
+    return true;  // it speaks, and it is in the mode that was asked for
+  } catch (const LmsRefusal&) {
+    return true;
+  } catch (const SensorFault& fault) {
+    if (fault.kind() != SensorFault::Kind::kTimeout) throw;
+    return false;
+  }
+}
+
+LmsIdentity identify(LmsLink& link, int baud) {
+  LmsIdentity identity;
+  identity.found_baud = baud;
+  identity.status = link.ask<StatusReply>(RequestCommand{RequestCommand::What::kStatus});
+  identity.type = link.ask<TypeReply>(RequestCommand{RequestCommand::What::kType}).text;
+  identity.errors = link.ask<ErrorsReply>(RequestCommand{RequestCommand::What::kErrors}).entries;
+  return identity;
+}
+
+void set_variant(LmsLink& link, const LmsVariant& now, const LmsVariant& wanted) {
+  if (now == wanted) return;
+  const auto reply = link.ask<VariantReply>(SetVariantCommand{wanted});
+  if (reply.is_done && reply.variant == wanted) return;
+  throw LmsRefusal("the sensor refused " + text_of(wanted) + " and stays at " + text_of(reply.variant) +
+                   "; choose another fov_deg or resolution_deg");
+}
+
+LmsConfiguration wanted_configuration(const LmsConfiguration& now, const SickOptions& options) {
+  LmsConfiguration wanted = now;
+  wanted.set_unit(options.unit);
+  if (options.measuring_mode) {
+    wanted.set_measuring_mode(*options.measuring_mode);
+  } else if (!lms_word_format(now.measuring_mode())) {
+    wanted.set_measuring_mode(0);
+  }
+  return wanted;
+}
+
+LmsConfiguration read_configuration(LmsLink& link) {
+  return link.ask<ConfigurationReply>(RequestCommand{RequestCommand::What::kConfiguration}).configuration;
+}
+
+/// Writes once. An answer that got lost is no reason to write again: what is in force is read instead.
+void write_once(LmsLink& link, const LmsConfiguration& wanted) {
+  const double write_s = link.patience().write_s;
+  try {
+    const auto reply = link.ask<WrittenReply>(WriteConfigurationCommand{wanted},
+                                              {.num_tries = 1, .first_sign_s = write_s, .reply_s = write_s});
+    if (reply.is_done && reply.configuration == wanted) return;
+  } catch (const LmsReboot&) {
+    throw;
+  } catch (const LmsRefusal&) {
+    throw;
+  } catch (const SensorFault& fault) {
+    if (fault.kind() != SensorFault::Kind::kTimeout) throw;
+    if (read_configuration(link) == wanted) return;
+    throw;
+  }
+  throw LmsRefusal("the sensor refused the configuration (unit or measuring mode)");
+}
+
+void write_configuration(LmsLink& link, const LmsConfiguration& wanted) {
+  try {
+    check_done(link.ask<ModeReply>(SetModeCommand{LmsMode::kInstallation, true}), "the installation mode");
+    write_once(link, wanted);
+  } catch (const SensorFault&) {
+    link.tell(SetModeCommand{LmsMode::kOnRequest});
+    throw;
+  }
+  set_mode(link, LmsMode::kOnRequest, "to leave the installation mode");
+}
+
+/// The variant of the sensor that carries what the options ask for: four turns a scan are those of 0.25
+/// degrees, which the sensor offers at 100 degrees; turns are sent 180 degrees wide all the same.
+LmsVariant sensor_variant(const SickOptions& options) {
+  return options.is_interlaced_here() ? LmsVariant{100, 25} : options.variant();
+}
+
+}  // namespace
+
+std::vector<int> probe_order(int first_baud) {
+  std::vector<int> bauds{first_baud};
+  for (const int baud : {9600, 38400, 19200, 500000}) {
+    if (baud != first_baud) bauds.push_back(baud);
+  }
+  return bauds;
+}
+
+LmsIdentity find_lms(LmsLink& link, std::span<const int> bauds) {
+  for (const int baud : bauds) {
+    link.set_baud(baud);
+    if (answers(link)) return identify(link, baud);
+  }
+  throw SensorFault(
+      SensorFault::Kind::kTimeout,
+      "nothing answers at 9600, 19200, 38400 or 500000 baud; is the sensor on (it starts up to 60 s), "
+      "is the cable the right one (RS-232 or RS-422, null modem), is this its port?");
+}
+
+void change_baud(LmsLink& link, int baud) {
+  check_done(link.ask<ModeReply>(SetBaudCommand{baud}), std::to_string(baud) + " baud");
+  link.set_baud(baud);
+  link.stop().sleep(link.patience().settle_s);
+  link.ask<StatusReply>(RequestCommand{RequestCommand::What::kStatus});
+}
+
+LmsConfiguration start_stream(LmsLink& link, const LmsIdentity& identity, const SickOptions& options) {
+  if (identity.found_baud != options.baud) change_baud(link, options.baud);
+  set_variant(link, identity.status.variant, sensor_variant(options));
+  const LmsConfiguration now = read_configuration(link);
+  const LmsConfiguration wanted = wanted_configuration(now, options);
+  if (!(wanted == now)) write_configuration(link, wanted);
+  set_mode(link, options.is_interlaced_here() ? LmsMode::kStreamPartial : LmsMode::kStream, "to stream");
+  return wanted;
+}
+
+void end_stream(ByteLink& port, int baud) noexcept {
+  try {
+    const StopSignal not_given;
+    LmsLink link(port, {.ack_s = kCloseReply_s, .reply_s = kCloseReply_s}, not_given);
+    const LmsLink::Ask once{.num_tries = 1};
+    try {
+      link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, once);
+    } catch (const SensorFault&) {
+      // A sensor that does not listen any more: the next driver stops its stream.
+    }
+    if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, once);
+  } catch (const SensorFault&) {
+    return;
+  } catch (const Stopped&) {
+    return;
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
+}  // namespace scanbed::hw

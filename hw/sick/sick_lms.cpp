@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "hw/sick/sick_lms.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/errors/sensor_fault.hpp"
+#include "hw/serial/serial_port.hpp"
+#include "hw/serial/steady_clock.hpp"
+#include "hw/sick/lms_session.hpp"
+#include "hw/sick/scan_assembler.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr double kSlice_s = 0.1;
+
+SickOptions validated(const SickOptions& options) {
+  options.validate();
+  return options;
+}
+
+}  // namespace
+
+struct SickLms::Impl {
+  explicit Impl(const SickOptions& given);
+  ~Impl();
+
+  void work();
+  bool try_again(const SensorFault& fault);
+  void attempt();
+  void open_and_stream(SerialPort& port);
+  void stream(LmsLink& link, const LmsConfiguration& configuration);
+  bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
+  void push(LaserScan& scan);
+  void make_room(std::unique_lock<std::mutex>& lock);
+  void count(const LmsLink& link);
+  void enter(const char* state);
+  void give_up(std::exception_ptr fault);
+
+  const SickOptions options;
+  const ScanGeometry geometry;
+  const double start_s = steady_now_s();
+  StopSignal stop;
+
+  // Of the worker alone.
+  LaserScan scan;
+  bool has_streamed = false;
+  bool is_port_good = false;
+  int num_failures = 0;
+  int first_found_baud = 0;
+  int last_good_baud;
+  DecoderCounts seen;  // what this link's decoder had counted when it was last asked
+
+  mutable std::mutex mutex;
+  std::condition_variable changed;
+  std::deque<LaserScan> waiting;
+  std::exception_ptr failure;
+  SickReport report;
+
+  std::thread worker;
+};
+
+SickLms::Impl::Impl(const SickOptions& given)
+    : options(validated(given)),
+      geometry(sick_geometry(options,
+                             lms_word_format(options.measuring_mode.value_or(0)).value_or(LmsWordFormat{}))),
+      last_good_baud(options.baud) {
+  worker = std::thread([this] { work(); });
+}
+
+SickLms::Impl::~Impl() {
+  {
+    const std::lock_guard lock(mutex);
+    stop.give();
+    changed.notify_all();
+  }
+  worker.join();
+}
+
+void SickLms::Impl::enter(const char* state) {
+  const std::lock_guard lock(mutex);
+  report.state = state;
+}
+
+void SickLms::Impl::give_up(std::exception_ptr fault) {
+  const std::lock_guard lock(mutex);
+  failure = std::move(fault);
+  report.state = "failed";
+  changed.notify_all();
+}
+
+/// Whether a fault is one to recover from.
+bool SickLms::Impl::try_again(const SensorFault& fault) {
+  {
+    const std::lock_guard lock(mutex);
+    report.last_fault = fault.what();
+    report.state = "recovering";
+    ++report.num_restarts;
+  }
+  if (has_streamed) return true;
+  const bool is_port_missing = fault.kind() == SensorFault::Kind::kDisconnected && !is_port_good;
+  return !is_port_missing && ++num_failures < options.patience.num_first_attempts;
+}
+
+void SickLms::Impl::work() {
+  while (true) {
+    try {
+      attempt();
+    } catch (const Stopped&) {
+      return;
+    } catch (const LmsRefusal&) {
+      return give_up(std::current_exception());
+    } catch (const SensorFault& fault) {
+      if (!try_again(fault)) return give_up(std::current_exception());
+    } catch (const std::exception&) {
+      return give_up(std::current_exception());
+    }
+    try {
+      stop.sleep(options.patience.pause_s);
+    } catch (const Stopped&) {
+      return;
+    }
+  }
+}
+
+void SickLms::Impl::attempt() {
+  enter("opening");
+  is_port_good = false;
+  SerialPort port(options.path);
+  is_port_good = true;
+  try {
+    open_and_stream(port);
+  } catch (const Stopped&) {
+    end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0);
+    throw;
+  } catch (const LmsRefusal&) {
+    end_stream(port, 0);
+    throw;
+  }
+}
+
+void SickLms::Impl::open_and_stream(SerialPort& port) {
+  LmsLink link(port, options.patience, stop);
+  seen = {};
+  enter("looking for the sensor");
+  const LmsIdentity identity = find_lms(link, probe_order(last_good_baud));
+  if (first_found_baud == 0) first_found_baud = identity.found_baud;
+  enter("configuring");
+  {
+    const std::lock_guard lock(mutex);
+    report.type = identity.type;
+  }
+  const LmsConfiguration configuration = start_stream(link, identity, options);
+  last_good_baud = options.baud;
+  enter("streaming");
+  stream(link, configuration);
+}
+
+void SickLms::Impl::count(const LmsLink& link) {
+  const DecoderCounts now = link.decoder_counts();
+  const std::lock_guard lock(mutex);
+  report.num_crc_errors += now.num_crc_errors - seen.num_crc_errors;
+  report.num_garbage_bytes += now.num_garbage_bytes - seen.num_garbage_bytes;
+  seen = now;
+}
+
+void SickLms::Impl::stream(LmsLink& link, const LmsConfiguration& configuration) {
+  const LmsWordFormat format = lms_word_format(configuration.measuring_mode()).value_or(LmsWordFormat{});
+  ScanAssembler assembler(options, format, configuration.sends_indices());
+  const double telegram_s = (2.0 * options.variant().num_beams() + 12.0) * 10.0 / options.baud;
+  const double limit_s = options.patience.silence_s + 3.0 * telegram_s;
+  double last_good_s = steady_now_s();
+  WireItem item;
+  for (double arrival_s = 0.0;;) {
+    const bool has_telegram = link.next_telegram(item, kSlice_s, arrival_s);
+    if (link.decoder_counts().num_garbage_bytes != seen.num_garbage_bytes) {
+      assembler.forget_turns();
+      count(link);
+    }
+    if (has_telegram && handle(item, arrival_s, assembler)) last_good_s = steady_now_s();
+    if (steady_now_s() - last_good_s > limit_s) {
+      throw SensorFault(SensorFault::Kind::kTimeout, options.path + ": the stream fell silent");
+    }
+  }
+}
+
+/// Whether the telegram was a good one of the stream.
+bool SickLms::Impl::handle(const WireItem& item, double arrival_s, ScanAssembler& assembler) {
+  switch (assembler.take(item.body, arrival_s - start_s, scan)) {
+    case ScanAssembler::Outcome::kScan:
+      push(scan);
+      return true;
+    case ScanAssembler::Outcome::kPart:
+      return true;
+    case ScanAssembler::Outcome::kRefused:
+      break;
+  }
+  assembler.forget_turns();
+  const auto stated = parse_reply(item.body);
+  const auto* type = stated ? std::get_if<TypeReply>(&stated->reply) : nullptr;
+  if (type != nullptr && type->is_power_on) throw LmsReboot(options.path + ": the sensor started anew");
+  const std::lock_guard lock(mutex);
+  ++report.num_refused_telegrams;
+  return false;
+}
+
+void SickLms::Impl::make_room(std::unique_lock<std::mutex>& lock) {
+  const auto has_room = [this] { return waiting.size() < static_cast<std::size_t>(options.max_waiting); };
+  if (options.is_lossless) {
+    changed.wait(lock, [&] { return has_room() || stop.is_given(); });
+    if (stop.is_given()) throw Stopped{};
+  } else if (!has_room()) {
+    waiting.pop_front();
+    ++report.num_dropped;
+  }
+}
+
+void SickLms::Impl::push(LaserScan& next) {
+  has_streamed = true;
+  std::unique_lock lock(mutex);
+  make_room(lock);
+  next.index = report.num_scans++;
+  report.health = next.health;
+  waiting.push_back(next);
+  changed.notify_all();
+}
+
+SickLms::SickLms(const SickOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+
+SickLms::~SickLms() = default;
+
+const ScanGeometry& SickLms::geometry() const {
+  return impl_->geometry;
+}
+
+void SickLms::stop() {
+  // Under the lock, so that whoever is about to wait sees it.
+  const std::lock_guard lock(impl_->mutex);
+  impl_->stop.give();
+  impl_->changed.notify_all();
+}
+
+SickReport SickLms::report() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->report;
+}
+
+bool SickLms::next(LaserScan& scan, Seconds timeout) {
+  Impl& s = *impl_;
+  std::unique_lock lock(s.mutex);
+  s.changed.wait_for(lock, timeout, [&] { return !s.waiting.empty() || s.failure || s.stop.is_given(); });
+  if (s.stop.is_given()) return false;
+  if (!s.waiting.empty()) {
+    scan = std::move(s.waiting.front());
+    s.waiting.pop_front();
+    s.changed.notify_all();
+    return true;
+  }
+  if (s.failure) std::rethrow_exception(s.failure);
+  throw SensorFault(SensorFault::Kind::kTimeout,
+                    s.options.path + ": no scan in time while " + s.report.state +
+                        (s.report.last_fault.empty() ? "" : " (before: " + s.report.last_fault + ")"));
+}
+
+}  // namespace scanbed::hw

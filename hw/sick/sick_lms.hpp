@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/scan/range_sensor.hpp"
+#include "hw/sick/sick_options.hpp"
+
+namespace scanbed::hw {
+
+/// What a driver has seen so far.
+struct SickReport {
+  std::string state;       ///< "opening", "looking for the sensor", "configuring", "streaming", "recovering"
+  std::string last_fault;  ///< empty where there was none
+  std::string type;        ///< of the sensor: "LMS200;301063;V02.10 "; empty before it answered
+  SensorHealth health;     ///< of the last scan
+  std::int64_t num_scans = 0;
+  std::int64_t num_refused_telegrams = 0;  ///< with a good check word, but not what was configured
+  std::int64_t num_crc_errors = 0;
+  std::int64_t num_garbage_bytes = 0;
+  std::int64_t num_restarts = 0;  ///< times that the sensor had to be looked for again
+  std::int64_t num_dropped = 0;   ///< scans dropped since nobody took them
+};
+
+/// A SICK LMS 2xx at a serial port.
+///
+/// A thread of its own reads the port, so that scans get the time at which they arrived however busy the
+/// reader is. It finds the sensor at whatever baud, sets it up and streams; when the stream fails (damage,
+/// silence, a reboot, a cable pulled out) it starts over, without end, and next() meanwhile times out.
+class SickLms final : public RangeSensor {
+ public:
+  /// Starts to look for the sensor and returns at once.
+  /// @throws InputError where the options do not validate.
+  explicit SickLms(const SickOptions& options);
+
+  /// Stops the stream, gives the sensor back the baud that it was found at, and returns within 0.2 s.
+  ~SickLms() override;
+
+  /// From the options; the sensor's measuring mode may yet extend the greatest range.
+  const ScanGeometry& geometry() const override;
+
+  /// Times are seconds since construction. False once stop() was called.
+  /// @throws SensorFault kTimeout where no scan comes in time, saying what the driver is at.
+  /// @throws SensorFault of another kind where it gave up: port or sensor not found at the start, or a
+  ///         setting that the sensor refuses.
+  bool next(LaserScan& scan, Seconds timeout) override;
+
+  /// Ends the stream for good, from any thread: next() returns false.
+  void stop();
+
+  SickReport report() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scanbed::hw

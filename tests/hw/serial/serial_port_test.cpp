@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "hw/serial/serial_port.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "core/errors/sensor_fault.hpp"
+#include "hw/serial/pseudo_terminal.hpp"
+#include "hw/serial/steady_clock.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+std::string fault_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const SensorFault& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+TEST(SerialPortTest, SaysWhatToDo) {
+  EXPECT_NE(fault_of([] { SerialPort("/dev/no_such_port"); }).find("no such port"), std::string::npos);
+  EXPECT_NE(fault_of([] { SerialPort("/dev/null"); }).find("not a serial port"), std::string::npos);
+  PseudoTerminal terminal({});
+  const SerialPort first(terminal.path());
+  EXPECT_NE(fault_of([&] { const SerialPort second(terminal.path()); }).find("in use"), std::string::npos);
+}
+
+TEST(SerialPortTest, AClosedPortIsFree) {
+  PseudoTerminal terminal({});
+  { const SerialPort port(terminal.path()); }
+  EXPECT_NO_THROW(SerialPort(terminal.path()));
+}
+
+TEST(SerialPortTest, ReadingWaitsForTheTimeGivenAndNoLonger) {
+  PseudoTerminal terminal({});
+  SerialPort port(terminal.path());
+  const StopSignal stop;
+  std::array<std::uint8_t, 8> buffer{};
+  const double start_s = steady_now_s();
+  EXPECT_EQ(port.read(buffer, 0.1, stop), 0U);
+  EXPECT_GE(steady_now_s() - start_s, 0.099);
+  EXPECT_LT(steady_now_s() - start_s, 1.0);
+}
+
+TEST(SerialPortTest, FlushForgetsWhatArrived) {
+  PseudoTerminal terminal({});
+  SerialPort port(terminal.path());
+  const StopSignal stop;
+  terminal.write(Bytes{1, 2, 3});
+  std::array<std::uint8_t, 1> one{};
+  ASSERT_EQ(port.read(one, 1.0, stop), 1U);
+  port.flush_input();
+  EXPECT_EQ(port.read(one, 0.05, stop), 0U);
+}
+
+// At 500000 baud an LMS wants 55 us from byte to byte.
+TEST(SerialPortTest, PacesFastWrites) {
+  PseudoTerminal terminal({});
+  SerialPort port(terminal.path());
+  port.set_baud(500000);
+  const StopSignal stop;
+  const double start_s = steady_now_s();
+  port.write(Bytes(50, 7), stop);
+  EXPECT_GE(steady_now_s() - start_s, 50 * 55e-6);
+  Bytes got;
+  terminal.read(got);
+  EXPECT_EQ(got.size(), 50U);
+}
+
+TEST(SerialPortTest, AFullPortTimesOut) {
+  PseudoTerminal terminal({});
+  SerialPort port(terminal.path());
+  port.set_baud(115200);
+  const StopSignal stop;
+  EXPECT_NE(fault_of([&] { port.write(Bytes(30000, 7), stop); }), "");
+}
+
+}  // namespace
+}  // namespace scanbed::hw

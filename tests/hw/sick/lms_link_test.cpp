@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "hw/sick/lms_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "hw/serial/steady_clock.hpp"
+#include "tests/support/hex.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+using tests::from_hex;
+
+/// Answers the n-th request with the n-th script line, and records what was asked.
+class ScriptedPort final : public ByteLink {
+ public:
+  std::deque<Bytes> answers;
+  std::vector<Bytes> requests;
+
+  std::size_t read(std::span<std::uint8_t> buffer, double timeout_s, const StopSignal& stop) override {
+    if (waiting_.empty()) {
+      stop.sleep(timeout_s);
+      return 0;
+    }
+    const std::size_t count = std::min(buffer.size(), waiting_.size());
+    std::copy_n(waiting_.begin(), count, buffer.begin());
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  void write(ByteView bytes, const StopSignal& /*stop*/) override {
+    requests.emplace_back(bytes.begin(), bytes.end());
+    if (answers.empty()) return;
+    waiting_.insert(waiting_.end(), answers.front().begin(), answers.front().end());
+    answers.pop_front();
+  }
+  void flush_input() override { waiting_.clear(); }
+
+ private:
+  Bytes waiting_;
+};
+
+class LmsLinkTest : public ::testing::Test {
+ protected:
+  ModeReply ask() { return link_.ask<ModeReply>(SetModeCommand{}); }
+
+  ScriptedPort port_;
+  StopSignal stop_;
+  LmsLink link_{port_, {.ack_s = 0.05, .reply_s = 0.2}, stop_};
+};
+
+const char* const kDone = "06 02 80 03 00 A0 00 10 16 0A";
+
+TEST_F(LmsLinkTest, GivesTheReply) {
+  port_.answers = {from_hex(kDone)};
+  EXPECT_EQ(ask().result, 0);
+  EXPECT_EQ(port_.requests, std::vector<Bytes>{from_hex("02 00 02 00 20 25 35 08")});
+}
+
+TEST_F(LmsLinkTest, TakesAReplyWithoutAcknowledgement) {
+  port_.answers = {from_hex("02 81 03 00 A0 00 10 36 1A")};
+  EXPECT_EQ(ask().result, 0);
+}
+
+TEST_F(LmsLinkTest, AsksAgainAfterNakAndSilence) {
+  port_.answers = {{kNak}, {}, from_hex(kDone)};
+  EXPECT_EQ(ask().result, 0);
+  EXPECT_EQ(link_.counts().num_retries, 2);
+  EXPECT_EQ(link_.counts().num_naks, 1);
+}
+
+TEST_F(LmsLinkTest, GivesUpInTheEnd) {
+  const double start_s = steady_now_s();
+  EXPECT_THROW(ask(), SensorFault);
+  EXPECT_EQ(port_.requests.size(), 3U);
+  EXPECT_LT(steady_now_s() - start_s, 3.0);
+}
+
+TEST_F(LmsLinkTest, DoesNotAskAgainWhatWasRefused) {
+  port_.answers = {from_hex("06 02 80 02 00 92 10 7F 33")};
+  EXPECT_THROW(ask(), LmsRefusal);
+  EXPECT_EQ(port_.requests.size(), 1U);
+}
+
+TEST_F(LmsLinkTest, DropsOtherTelegramsBeforeTheReply) {
+  Bytes answer = from_hex("02 80 0C 00 B0 04 40 E8 03 FE 1F FF 1F D0 27 10 F0 D5 02 80 02 00 B2 10 3F 13");
+  const Bytes done = from_hex(kDone);
+  answer.insert(answer.end(), done.begin(), done.end());
+  port_.answers = {answer};
+  EXPECT_EQ(ask().result, 0);
+}
+
+TEST_F(LmsLinkTest, NoticesAReboot) {
+  port_.answers = {from_hex("02 80 17 00 90 4C4D533230303B3330313036333B5630322E313020 10 63 5E")};
+  EXPECT_THROW(ask(), LmsReboot);
+}
+
+TEST_F(LmsLinkTest, AcknowledgementsInsideGarbageDoNotHoldItUp) {
+  Bytes garbage;
+  for (int i = 0; i < 400; ++i) garbage.push_back(static_cast<std::uint8_t>(i % 50 == 0 ? 0x06 : 0xAA));
+  port_.answers = {garbage, garbage, garbage};
+  const double start_s = steady_now_s();
+  EXPECT_THROW(ask(), SensorFault);
+  EXPECT_LT(steady_now_s() - start_s, 3 * 0.2);
+}
+
+TEST_F(LmsLinkTest, StopsAtOnce) {
+  stop_.give();
+  EXPECT_THROW(ask(), Stopped);
+}
+
+}  // namespace
+}  // namespace scanbed::hw

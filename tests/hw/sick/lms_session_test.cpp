@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "hw/sick/lms_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hw/serial/serial_port.hpp"
+#include "hw/serial/steady_clock.hpp"
+#include "tests/support/running_emulator.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+using tests::quick_driver;
+using tests::quick_sensor;
+using tests::RunningEmulator;
+
+TEST(LmsSessionTest, TriesTheLastGoodBaudFirst) {
+  EXPECT_EQ(probe_order(38400), (std::vector<int>{38400, 9600, 19200, 500000}));
+  EXPECT_EQ(probe_order(9600), (std::vector<int>{9600, 38400, 19200, 500000}));
+}
+
+TEST(LmsSessionTest, FindsTheSensorAtAnyBaud) {
+  for (const int baud : kLmsBauds) {
+    EmulatorOptions sensor = quick_sensor();
+    sensor.power_on_baud = baud;
+    RunningEmulator emulator(sensor);
+    const StopSignal stop;
+    SerialPort port(emulator.port());
+    LmsLink link(port, quick_driver("").patience, stop);
+    const LmsIdentity identity = find_lms(link, probe_order(38400));
+    EXPECT_EQ(identity.found_baud, baud);
+    EXPECT_EQ(identity.status.baud, baud);
+    EXPECT_EQ(identity.type, "LMS200;301063;V02.10 ");
+    EXPECT_TRUE(identity.errors.empty());
+  }
+}
+
+TEST(LmsSessionTest, StreamsAsTheOptionsSay) {
+  EmulatorOptions sensor = quick_sensor();
+  sensor.configuration.set_unit(RangeUnit::kCentimetre);
+  RunningEmulator emulator(sensor);
+  const StopSignal stop;
+  SerialPort port(emulator.port());
+  SickOptions options = quick_driver(emulator.port());
+  options.resolution_cdeg = 100;
+  LmsLink link(port, options.patience, stop);
+  const LmsConfiguration configuration = start_stream(link, find_lms(link, probe_order(9600)), options);
+  EXPECT_EQ(configuration.unit(), RangeUnit::kMillimetre);
+  WireItem item;
+  double arrival_s = 0.0;
+  ASSERT_TRUE(link.next_telegram(item, 5.0, arrival_s));
+  ScanTelegram scan;
+  ASSERT_TRUE(parse_scan(item.body, scan));
+  EXPECT_TRUE(matches(scan, {.variant = {180, 100}}));
+  end_stream(port, 9600);
+  const EmulatedLms& lms = emulator.end();
+  EXPECT_EQ(lms.mode(), LmsMode::kOnRequest);
+  EXPECT_EQ(lms.baud(), 9600);
+}
+
+TEST(LmsSessionTest, EndsSoonWhereNobodyListens) {
+  PseudoTerminal nobody({});
+  SerialPort port(nobody.path());
+  const double start_s = steady_now_s();
+  end_stream(port, 9600);
+  EXPECT_LT(steady_now_s() - start_s, 0.3);
+}
+
+}  // namespace
+}  // namespace scanbed::hw
