@@ -203,8 +203,8 @@ struct EmulatedLms::Answerer {
 void EmulatedLms::answer(const WireItem& item, double now_s) {
   if (item.address != 0 && item.address != options_.address) return;
   if (std::exchange(has_miss_, false)) return;
-  if (std::exchange(has_nak_, false)) return acknowledge(kNak, now_s);
-  acknowledge(kAck, now_s);
+  if (std::exchange(has_nak_, false)) return acknowledge(kNotAcknowledge, now_s);
+  acknowledge(kAcknowledge, now_s);
   const auto command = parse_command(item.body);
   if (!command) return reply(RefusedReply{}, kReplyDelay_s);
   ++counts_.num_requests;
@@ -223,7 +223,7 @@ void EmulatedLms::receive(ByteView bytes, int host_baud, double now_s) {
     has_answered = true;
     answer(item, now_s);
   }
-  if (!has_answered && decoder_.counts().num_crc_errors > num_bad) acknowledge(kNak, now_s);
+  if (!has_answered && decoder_.counts().num_crc_errors > num_bad) acknowledge(kNotAcknowledge, now_s);
 }
 
 void EmulatedLms::start_boot(double now_s) {

@@ -46,7 +46,7 @@ const std::vector<std::uint16_t>& ScanFeed::next() {
     const double range_m = range_at(scan_, first_rad + static_cast<double>(i) * step_rad);
     words_[i] = encode_lms_word(range_m, settings_.unit, format_.range_bits);
   }
-  const SentScan sent{num_scans_++, scan_, words_, sensor_->truth()};
+  const SentScan sent{num_scans_++, scan_, words_, settings_.unit, format_, sensor_->truth()};
   if (observer_) observer_(sent);
   return words_;
 }

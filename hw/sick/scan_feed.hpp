@@ -22,6 +22,8 @@ struct SentScan {
   std::int64_t number = 0;  ///< counts the scans sent from 0
   const LaserScan& scan;    ///< as the source gave it
   std::span<const std::uint16_t> words;
+  RangeUnit unit;
+  LmsWordFormat format;
   const Truth* truth;  ///< nullptr where the source has none
 };
 

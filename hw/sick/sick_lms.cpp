@@ -51,7 +51,7 @@ struct SickLms::Impl {
   // Of the worker alone.
   LaserScan scan;
   bool has_streamed = false;
-  bool is_port_good = false;
+  bool was_port_good = false;  // a port that never was there is a wrong name
   int num_failures = 0;
   int first_found_baud = 0;
   int last_good_baud;
@@ -104,8 +104,7 @@ bool SickLms::Impl::try_again(const SensorFault& fault) {
     ++report.num_restarts;
   }
   if (has_streamed) return true;
-  const bool is_port_missing = fault.kind() == SensorFault::Kind::kDisconnected && !is_port_good;
-  return !is_port_missing && ++num_failures < options.patience.num_first_attempts;
+  return was_port_good && ++num_failures < options.patience.num_first_attempts;
 }
 
 void SickLms::Impl::work() {
@@ -131,9 +130,8 @@ void SickLms::Impl::work() {
 
 void SickLms::Impl::attempt() {
   enter("opening");
-  is_port_good = false;
   SerialPort port(options.path);
-  is_port_good = true;
+  was_port_good = true;
   try {
     open_and_stream(port);
   } catch (const Stopped&) {

@@ -9,8 +9,8 @@
 namespace scanbed::hw {
 
 inline constexpr std::uint8_t kStx = 0x02;
-inline constexpr std::uint8_t kAck = 0x06;
-inline constexpr std::uint8_t kNak = 0x15;
+inline constexpr std::uint8_t kAcknowledge = 0x06;
+inline constexpr std::uint8_t kNotAcknowledge = 0x15;
 
 /// Set in the address of all that a sensor sends, beside its own address; clear in what a host sends.
 inline constexpr std::uint8_t kReplyAddress = 0x80;

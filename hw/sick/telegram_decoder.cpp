@@ -49,9 +49,9 @@ void TelegramDecoder::skip_one() {
 bool TelegramDecoder::next(WireItem& item) {
   while (head_ < buffer_.size()) {
     const std::uint8_t first = buffer_[head_];
-    if (first == kAck || first == kNak) {
+    if (first == kAcknowledge || first == kNotAcknowledge) {
       ++head_;
-      item = {.kind = first == kAck ? WireItem::Kind::kAckByte : WireItem::Kind::kNakByte,
+      item = {.kind = first == kAcknowledge ? WireItem::Kind::kAckByte : WireItem::Kind::kNakByte,
               .address = 0,
               .body = {}};
       return true;

@@ -42,7 +42,7 @@ class Bench {
 
 Bytes with_ack(std::string_view telegram) {
   Bytes bytes = from_hex(telegram);
-  bytes.insert(bytes.begin(), kAck);
+  bytes.insert(bytes.begin(), kAcknowledge);
   return bytes;
 }
 
@@ -122,7 +122,7 @@ TEST(EmulatedLmsTest, HearsItsOwnAddressAndTheBroadcastAlone) {
 
 TEST(EmulatedLmsTest, SaysNakToADamagedRequestAnd92hToAnUnknownOne) {
   Bench bench;
-  EXPECT_EQ(bench.ask(from_hex("02 00 02 00 20 25 35 09")), Bytes{kNak});
+  EXPECT_EQ(bench.ask(from_hex("02 00 02 00 20 25 35 09")), Bytes{kNotAcknowledge});
   EXPECT_EQ(bench.ask(frame_telegram(0, from_hex("55"))), with_ack("02 80 02 00 92 10 7F 33"));
 }
 
@@ -148,7 +148,7 @@ TEST(EmulatedLmsTest, StartsAnewAfterAReset) {
   Bench bench;
   bench.ask(SetBaudCommand{38400});
   bench.host_baud = 38400;
-  bench.ask(SetModeCommand{LmsMode::kStream}, 0.0);
+  bench.ask(SetModeCommand{LmsMode::kTest, true});
   const auto reset = reply_in(bench.ask(from_hex("02 00 01 00 10 34 12")));
   EXPECT_TRUE(std::holds_alternative<ResetReply>(*reset));
   EXPECT_EQ(bench.ask(SetModeCommand{LmsMode::kOnRequest}), Bytes{});  // it boots
@@ -224,7 +224,7 @@ TEST(EmulatedLmsTest, FaultsComeAtTheirTime) {
   Bench bench(options);
   EXPECT_EQ(bench.ask(SetModeCommand{}, 1.1), with_ack(kDone));
   EXPECT_EQ(bench.ask(SetModeCommand{}, 1.0), Bytes{});
-  EXPECT_EQ(bench.ask(SetModeCommand{}), Bytes{kNak});
+  EXPECT_EQ(bench.ask(SetModeCommand{}), Bytes{kNotAcknowledge});
   EXPECT_EQ(bench.ask(SetModeCommand{}), with_ack(kDone));
   EXPECT_EQ(bench.lms.counts().num_faults, 2);
 }

@@ -64,7 +64,7 @@ TEST_F(LmsLinkTest, TakesAReplyWithoutAcknowledgement) {
 }
 
 TEST_F(LmsLinkTest, AsksAgainAfterNakAndSilence) {
-  port_.answers = {{kNak}, {}, from_hex(kDone)};
+  port_.answers = {{kNotAcknowledge}, {}, from_hex(kDone)};
   EXPECT_EQ(ask().result, 0);
   EXPECT_EQ(link_.counts().num_retries, 2);
   EXPECT_EQ(link_.counts().num_naks, 1);

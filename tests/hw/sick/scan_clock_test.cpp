@@ -11,9 +11,9 @@ namespace {
 TEST(ScanClockTest, TakesOffTheWireAndTheScan) {
   const ScanGeometry geometry = sick_geometry({}, {});
   ScanClock clock(38400);
-  // 732 bytes of ten bits; the second of two turns ends 179 beams of a degree into it.
+  // 732 bytes of ten bits; the second of two turns ends half a turn after it begins.
   const double wire_s = 7320.0 / 38400.0;
-  const double scan_s = 0.01332 + 179.0 / 360.0 * 0.01332;
+  const double scan_s = 1.5 * 0.01332;
   EXPECT_NEAR(clock.first_beam_s(100.0, 732, geometry), 100.0 - wire_s - scan_s, 1e-4);
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/steady_clock.hpp"
@@ -165,10 +168,13 @@ class SickLmsFaultTest : public ::testing::TestWithParam<LmsFaultKind> {};
 
 TEST_P(SickLmsFaultTest, GivesTrueScansAloneAndResumes) {
   EmulatorOptions sensor = quick_sensor();
-  for (const double at_s : {0.0, 0.05, 0.6, 0.7}) sensor.faults.push_back({GetParam(), at_s});
+  // A port that is not there at the start is an error; one that goes away later is waited for.
+  const double first_s = GetParam() == LmsFaultKind::kUnplug ? 0.4 : 0.0;
+  for (const double at_s : {first_s, 0.45, 0.8, 0.9}) sensor.faults.push_back({GetParam(), at_s});
   const std::filesystem::path link = ::testing::TempDir() + "lms_" + std::to_string(::getpid());
   RunningEmulator emulator(sensor, tests::numbered_source(), {}, link);
-  const SickOptions options = quick_driver(emulator.port());
+  SickOptions options = quick_driver(emulator.port());
+  options.patience.num_first_attempts = 1000;
   SickLms laser(options);
   const double end_s = steady_now_s() + 1.2;
   while (steady_now_s() < end_s) expect_true_scans(laser, options, 20);
@@ -324,11 +330,17 @@ TEST(SickLmsTest, ScansComeAtTheLinksRateWithTheTimeOfTheirFirstBeam) {
   options.path = emulator.port();
   options.patience.settle_s = 0.05;
   SickLms laser(options);
+  std::vector<double> intervals_s;
   LaserScan scan;
   ASSERT_TRUE(laser.next(scan, kPatience));
-  const double first_s = scan.time_s;
-  for (int i = 0; i < 5; ++i) ASSERT_TRUE(laser.next(scan, kPatience));
-  EXPECT_NEAR((scan.time_s - first_s) / 5.0, 9 * 0.02664, 0.02);
+  for (int i = 0; i < 7; ++i) {
+    const double last_s = scan.time_s;
+    ASSERT_TRUE(laser.next(scan, kPatience));
+    intervals_s.push_back(scan.time_s - last_s);
+  }
+  // The median: a busy machine makes single ones longer.
+  std::nth_element(intervals_s.begin(), intervals_s.begin() + 3, intervals_s.end());
+  EXPECT_NEAR(intervals_s[3], 9 * 0.02664, 0.03);
 }
 
 TEST(SickLmsTest, RefusesBadOptions) {

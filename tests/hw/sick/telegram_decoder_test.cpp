@@ -34,7 +34,7 @@ const Bytes kDoneBody = from_hex("A0 00 10");
 
 TEST(TelegramDecoderTest, FindsAcknowledgementAndReply) {
   TelegramDecoder decoder(Talker::kSensor);
-  decoder.feed(join({{kAck}, kDone, {kNak}}), 0.0);
+  decoder.feed(join({{kAcknowledge}, kDone, {kNotAcknowledge}}), 0.0);
   WireItem item;
   ASSERT_TRUE(decoder.next(item));
   EXPECT_EQ(item.kind, WireItem::Kind::kAckByte);
