@@ -96,7 +96,8 @@ RayCaster::RayCaster(const ScanGeometry& geometry, BeamSubset subset)
       margin_(1 + static_cast<int>(2.0 * kCoarseAtan2Error_rad * steps_per_rad_)) {
   SCANBED_ENSURE(geometry.step_rad > 0.0 && subset.first >= 0 && subset.stride > 0);
   SCANBED_ENSURE((geometry.num_beams - 1) * geometry.step_rad <= 2.0 * kPi + 1e-9);
-  for (int beam = subset.first; beam < geometry.num_beams; beam += subset.stride) {
+  for (int beam = subset.first; beam < geometry.num_beams && static_cast<int>(ux_.size()) < subset.count;
+       beam += subset.stride) {
     ux_.push_back(std::cos(geometry.bearing_rad(beam)));
     uy_.push_back(std::sin(geometry.bearing_rad(beam)));
   }
@@ -226,6 +227,14 @@ double RayCaster::incidence_rad(int i) const {
   }
   const double sine = std::abs(cross(shape.center_m, Vector2d(ux_[i], uy_[i]))) / shape.size_m;
   return std::asin(std::min(1.0, sine));
+}
+
+double RayCaster::cos_incidence(int i) const {
+  if (winner_[i] == kNobody) return 1.0;
+  const Shape& shape = shapes_[static_cast<std::size_t>(winner_[i])];
+  if (!shape.is_disc) return range_m_[i] == 0.0 ? 1.0 : std::min(1.0, shape.size_m * inverse_range_[i]);
+  const double sine = cross(shape.center_m, Vector2d(ux_[i], uy_[i])) / shape.size_m;
+  return std::sqrt(std::max(0.0, 1.0 - sine * sine));
 }
 
 }  // namespace scanbed::sim

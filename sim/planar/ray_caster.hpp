@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
@@ -11,11 +12,12 @@
 
 namespace scanbed::sim {
 
-/// Which beams of a scan a caster casts: first, first + stride, ... An interlaced scan is cast rotation by
-/// rotation, each at its own time.
+/// Which beams of a scan a caster casts: first, first + stride, ... as far as there are. An interlaced scan
+/// is cast rotation by rotation, each at its own time.
 struct BeamSubset {
   int first = 0;
   int stride = 1;
+  int count = std::numeric_limits<int>::max();  ///< at most so many
 };
 
 /// Ideal returns of a planar scan: for each beam the first surface that it meets.
@@ -43,6 +45,8 @@ class RayCaster {
   double range_m(int i) const { return range_m_[i]; }                        ///< kNoEcho where it met nothing
   int object(int i) const;            ///< of the surface; kNoObject where it met nothing
   double incidence_rad(int i) const;  ///< between beam and surface normal, [0, pi/2]; 0 where it met nothing
+
+  double cos_incidence(int i) const;  ///< of that angle; 1 where it met nothing
 
   const std::vector<double>& ranges_m() const { return range_m_; }
 

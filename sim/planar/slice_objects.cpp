@@ -13,7 +13,7 @@ SliceObjects::SliceObjects(const World& world) {
   for (const Walker& walker : world.walkers) {
     leg_radius_m_.push_back(walker.leg_radius_m);
     for (const char* leg : {".left_leg", ".right_leg"}) {
-      objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m});
+      objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
     }
   }
   for (const Walker& walker : world.walkers) {
@@ -21,7 +21,8 @@ SliceObjects::SliceObjects(const World& world) {
     const bool in_plane = world.robot.laser_height_m <= walker.tow->height_m;
     tow_object_.push_back(in_plane ? static_cast<int>(objects_.size()) : kNoObject);
     if (in_plane) {
-      objects_.push_back({walker.tow->id, walker.tow->label, Primitive::kCircle, walker.tow->radius_m});
+      objects_.push_back({walker.tow->id, walker.tow->label, Primitive::kCircle, walker.tow->radius_m,
+                          walker.tow->material});
     }
   }
 }
@@ -29,13 +30,14 @@ SliceObjects::SliceObjects(const World& world) {
 void SliceObjects::add_solid(const Solid& solid) {
   if (const auto* cylinder = std::get_if<Cylinder>(&solid.shape)) {
     still_.discs.push_back({cylinder->center_m, cylinder->radius_m, static_cast<int>(objects_.size())});
-    objects_.push_back({solid.id, solid.label, Primitive::kCircle, cylinder->radius_m});
+    objects_.push_back({solid.id, solid.label, Primitive::kCircle, cylinder->radius_m, solid.material});
     return;
   }
   int count = 0;
   for (const Edge& edge : outline(solid.shape)) {
     still_.segments.push_back({edge.a_m, edge.b_m, static_cast<int>(objects_.size())});
-    objects_.push_back({solid.id + "." + std::to_string(count++), solid.label, Primitive::kLine, 0.0});
+    objects_.push_back(
+        {solid.id + "." + std::to_string(count++), solid.label, Primitive::kLine, 0.0, solid.material});
   }
 }
 

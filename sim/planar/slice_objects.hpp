@@ -17,6 +17,7 @@ struct SliceObject {
   std::string label;
   Primitive primitive = Primitive::kNone;
   double radius_m = 0.0;  ///< of round things
+  Material material;
 };
 
 /// The objects of a world in the laser's plane, and the slice at any of its states.

@@ -10,7 +10,8 @@
 #include "sim/engine/engine.hpp"
 #include "sim/planar/planar_engine.hpp"
 #include "sim/planar/ray_caster.hpp"
-#include "sim/sensor/lms_model.hpp"
+#include "sim/planar/spot_caster.hpp"
+#include "sim/sensor/sensor_model.hpp"
 #include "sim/sensor/truth_maker.hpp"
 
 namespace scanbed::sim {
@@ -23,33 +24,77 @@ SimulationOptions validated(const SimulationOptions& options) {
   return options;
 }
 
-ScanGeometry geometry_of(const LmsOptions& lms) {
+ScanGeometry geometry_of(const SensorOptions& sensor) {
   ScanGeometry geometry;
-  geometry.num_beams = lms.num_beams();
-  geometry.first_rad = -0.5 * lms.fov_rad;
-  geometry.step_rad = lms.step_rad;
-  geometry.max_range_m = lms_max_range_m(lms.unit);
-  geometry.timing.num_rotations = lms.num_rotations();
-  geometry.timing.rotation_s = lms.rotation_s;
-  geometry.timing.step_s = 0.0;  // here a rotation is measured at one instant
+  geometry.num_beams = sensor.num_beams();
+  geometry.first_rad = -0.5 * sensor.fov_rad;
+  geometry.step_rad = sensor.step_rad;
+  geometry.min_range_m = sensor.min_range_m;
+  geometry.max_range_m = sensor.range_limit_m();
+  geometry.timing.num_rotations = sensor.num_rotations();
+  geometry.timing.rotation_s = sensor.rotation_s;
+  geometry.timing.step_s = sensor.beam_period_s();
   return geometry;
+}
+
+Spot spot_of(const SensorOptions& sensor) {
+  const double scale = sensor.effects.spot;
+  return {scale * sensor.spot.diameter_m, scale * sensor.spot.divergence_rad, sensor.spot.num_rays};
+}
+
+bool moves(const World& world) {
+  return !world.walkers.empty() || !world.robot.drive.empty();
+}
+
+std::vector<Material> materials_of(const Engine& engine) {
+  std::vector<Material> materials;
+  for (const SliceObject& object : engine.objects()) materials.push_back(object.material);
+  return materials;
+}
+
+/// Beams that are cast together, as if all were measured at one time.
+struct Piece {
+  BeamSubset beams;
+  double offset_s;  ///< after the scan's time
+};
+
+// In the order of time. In a world that stands still one piece says all.
+std::vector<Piece> pieces_of(const SensorOptions& sensor, const ScanGeometry& geometry, bool world_moves) {
+  if (!world_moves) return {{{0, 1, geometry.num_beams}, 0.0}};
+  const BeamTiming& timing = geometry.timing;
+  const int num_sectors = timing.step_s > 0.0 ? sensor.sectors_per_rotation : 1;
+  std::vector<Piece> pieces;
+  for (int rotation = 0; rotation < timing.num_rotations; ++rotation) {
+    const int num_beams = (geometry.num_beams - rotation + timing.num_rotations - 1) / timing.num_rotations;
+    for (int sector = 0; sector < num_sectors; ++sector) {
+      const int first = sector * num_beams / num_sectors;
+      const int behind = (sector + 1) * num_beams / num_sectors;
+      if (first == behind) continue;
+      const double middle = 0.5 * (first + behind - 1);
+      pieces.push_back({{rotation + first * timing.num_rotations, timing.num_rotations, behind - first},
+                        rotation * timing.rotation_s + middle * timing.step_s});
+    }
+  }
+  return pieces;
 }
 
 }  // namespace
 
 struct SimulatedLms::Impl {
   Impl(World&& description, const SimulationOptions& given);
-  void measure_rotation(int rotation, double time_s);
-  void write(LaserScan& scan, double time_s) const;
+  void cast_piece(std::size_t piece);
+  void begin(double time_s);
 
   SimulationOptions options;
   World world;
   std::unique_ptr<Engine> engine;
   ScanGeometry geometry;
-  LmsModel model;
-  std::vector<RayCaster> casters;  ///< one for each rotation
+  SensorModel model;
+  std::vector<Piece> pieces;
+  std::vector<RayCaster> axes;    ///< one for each piece
+  std::vector<SpotCaster> spots;  ///< likewise; none where beams are rays
+  IdealReturns returns;
   TruthMaker truth_maker;
-  std::vector<std::uint16_t> words;
   std::int64_t num_scans;
   std::int64_t next_scan = 0;
   WorldState state;
@@ -60,42 +105,34 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
       world(std::move(description)),
       engine(std::make_unique<PlanarEngine>(world)),
       geometry(geometry_of(options.lms)),
-      model(options.lms, options.seed),
+      model(options.lms, options.seed, materials_of(*engine)),
+      pieces(pieces_of(options.lms, geometry, moves(world))),
       truth_maker(engine->objects(), geometry.num_beams),
-      words(geometry.num_beams),
       // The slack keeps 0.3 s at 0.1 s from having a fourth scan: 0.3 / 0.1 is a little less than 3.
       num_scans(static_cast<std::int64_t>(std::ceil(options.duration_s / options.lms.scan_period_s - 1e-9))),
       state(engine->state()) {
-  const int stride = geometry.timing.num_rotations;
-  for (int first = 0; first < stride; ++first) casters.emplace_back(geometry, BeamSubset{first, stride});
+  const bool has_spot = options.lms.spot_diameter_m(1.0) > 0.0;
+  for (const Piece& piece : pieces) {
+    axes.emplace_back(geometry, piece.beams);
+    if (has_spot) spots.emplace_back(geometry, piece.beams, spot_of(options.lms));
+  }
 }
 
-void SimulatedLms::Impl::measure_rotation(int rotation, double time_s) {
+void SimulatedLms::Impl::begin(double time_s) {
   engine->advance_to(time_s);
-  if (rotation == 0) {
-    state = engine->state();
-    truth_maker.begin(engine->state().X_WR * world.robot.X_RS);
-  }
-  const Pose2 X_LS = engine->X_LS();
-  RayCaster& caster = casters[rotation];
-  caster.cast(engine->slice(), X_LS);
-  truth_maker.add_rotation(caster, engine->slice(), X_LS, geometry.max_range_m);
-  for (int i = 0; i < caster.num_beams(); ++i) {
-    const int beam = caster.scan_beam(i);
-    words[beam] = model.measure(caster.range_m(i), next_scan, beam);
-  }
+  state = engine->state();
+  truth_maker.begin(engine->state().X_WR * world.robot.X_RS);
+  returns.reset(geometry.num_beams);
 }
 
-void SimulatedLms::Impl::write(LaserScan& scan, double time_s) const {
-  scan.index = next_scan;
-  scan.time_s = time_s;
-  scan.geometry = geometry;
-  scan.X_OR.reset();
-  scan.source.clear();
-  scan.range_m.resize(words.size());
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    scan.range_m[i] = decode_lms_word(words[i], options.lms.unit);
-  }
+void SimulatedLms::Impl::cast_piece(std::size_t piece) {
+  const PlanarSlice& slice = engine->slice();
+  const Pose2 X_LS = engine->X_LS();
+  RayCaster& caster = axes[piece];
+  caster.cast(slice, X_LS);
+  truth_maker.add_piece(pieces[piece].beams, slice, X_LS);
+  returns.take_axes(caster);
+  if (!spots.empty()) spots[piece].cast(slice, X_LS, caster, returns);
 }
 
 SimulatedLms::SimulatedLms(World world, const SimulationOptions& options)
@@ -111,11 +148,18 @@ bool SimulatedLms::next(LaserScan& scan, Seconds /*timeout*/) {
   Impl& s = *impl_;
   if (s.next_scan >= s.num_scans) return false;
   const double time_s = static_cast<double>(s.next_scan) * s.options.lms.scan_period_s;
-  for (int rotation = 0; rotation < s.geometry.timing.num_rotations; ++rotation) {
-    s.measure_rotation(rotation, time_s + rotation * s.options.lms.rotation_s);
+  s.begin(time_s);
+  for (std::size_t piece = 0; piece < s.pieces.size(); ++piece) {
+    if (s.pieces[piece].offset_s > 0.0) s.engine->advance_to(time_s + s.pieces[piece].offset_s);
+    s.cast_piece(piece);
   }
-  s.truth_maker.finish();
-  s.write(scan, time_s);
+  s.truth_maker.finish(s.returns, s.geometry.max_range_m);
+  s.model.measure(s.returns, s.next_scan, scan.range_m);
+  scan.index = s.next_scan;
+  scan.time_s = time_s;
+  scan.geometry = s.geometry;
+  scan.X_OR.reset();
+  scan.source.clear();
   classify_visibility(s.truth_maker.truth(), scan);
   ++s.next_scan;
   return true;

@@ -7,10 +7,11 @@
 #include "sim/planar/planar_slice.hpp"
 #include "sim/planar/ray_caster.hpp"
 #include "sim/planar/slice_objects.hpp"
+#include "sim/sensor/ideal_returns.hpp"
 
 namespace scanbed::sim {
 
-/// Gathers the truth of one scan from its rotations, each cast at its own time.
+/// Gathers the truth of one scan from its pieces, each cast at its own time.
 class TruthMaker {
  public:
   TruthMaker(const std::vector<SliceObject>& objects, int num_beams);
@@ -18,30 +19,34 @@ class TruthMaker {
   /// Begins a scan that starts with the sensor at X_WS.
   void begin(const Pose2& X_WS);
 
-  /// Adds a rotation, in the order of time: what its beams met, and where things were from a sensor at X_LS.
-  /// Returns beyond `max_range_m` count as none.
-  void add_rotation(const RayCaster& caster, const PlanarSlice& slice, const Pose2& X_LS, double max_range_m);
+  /// Adds a piece of the scan, in the order of time: which beams are measured then, and where things were
+  /// from a sensor at X_LS.
+  void add_piece(BeamSubset beams, const PlanarSlice& slice, const Pose2& X_LS);
 
-  /// Counts clean beams and puts each object where it was at the time of its middle clean beam (without one:
-  /// at the scan's time).
-  void finish();
+  /// Takes over what all beams met; returns beyond `max_range_m` count as none. Counts clean beams and puts
+  /// each object where it was at the time of its middle clean beam (without one: at the time of the first
+  /// piece).
+  void finish(const IdealReturns& returns, double max_range_m);
 
   Truth& truth() { return truth_; }
   const Truth& truth() const { return truth_; }
 
  private:
-  /// Where one rotation saw an object, sensor frame.
+  /// Where one piece of the scan saw an object, sensor frame.
   struct Place {
     Eigen::Vector2d a_m = Eigen::Vector2d::Zero();  ///< centre, or one end
     Eigen::Vector2d b_m = Eigen::Vector2d::Zero();  ///< the other end
   };
 
+  void take_beams(const IdealReturns& returns, double max_range_m);
+  void find_middle_pieces();
+
   Truth truth_;
-  std::vector<std::vector<Place>> places_;  ///< [rotation][object]
-  int num_rotations_ = 0;
-  std::vector<int> rotation_of_beam_;
-  std::vector<int> num_seen_;         ///< while finishing: beams so far, of each object
-  std::vector<int> middle_rotation_;  ///< in which each object's middle beam was measured
+  std::vector<std::vector<Place>> places_;  ///< [piece][object]
+  int num_pieces_ = 0;
+  std::vector<int> piece_of_beam_;
+  std::vector<int> num_seen_;      ///< while finishing: clean beams so far, of each object
+  std::vector<int> middle_piece_;  ///< in which each object's middle clean beam was measured
 };
 
 }  // namespace scanbed::sim

@@ -46,6 +46,7 @@ World busy_hall() {
 SimulationOptions ideal() {
   SimulationOptions options;
   options.lms.noise_sigma_m = 0.0;
+  options.lms.effects.sweep = 0.0;  // each rotation at one instant
   return options;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed::sim {
@@ -30,17 +32,25 @@ PlanarSlice slice_with_leg(const Vector2d& p_WL) {
   return slice;
 }
 
+IdealReturns nothing() {
+  IdealReturns returns;
+  returns.reset(7);
+  return returns;
+}
+
 /// Truth of a scan whose two rotations see the leg at two places.
 Truth truth_of(const Vector2d& even_m, const Vector2d& odd_m, double max_range_m = 10.0) {
   TruthMaker maker(kObjects, 7);
   maker.begin({});
+  IdealReturns returns = nothing();
   for (int rotation : {0, 1}) {
     RayCaster caster(seven_beams(), {rotation, 2});
     const PlanarSlice slice = slice_with_leg(rotation == 0 ? even_m : odd_m);
     caster.cast(slice, {});
-    maker.add_rotation(caster, slice, {}, max_range_m);
+    returns.take_axes(caster);
+    maker.add_piece({rotation, 2}, slice, {});
   }
-  maker.finish();
+  maker.finish(returns, max_range_m);
   return maker.truth();
 }
 
@@ -85,12 +95,14 @@ TEST(TruthMakerTest, EachRotationHasItsOwnSensorPose) {
   const Pose2 poses[] = {{{0, 0}, 0.0}, {{0.5, 0}, 0.0}};
   maker.begin(poses[0]);
   const PlanarSlice slice = slice_with_leg({9, 9});
+  IdealReturns returns = nothing();
   for (int rotation : {0, 1}) {
     RayCaster caster(seven_beams(), {rotation, 2});
     caster.cast(slice, poses[rotation]);
-    maker.add_rotation(caster, slice, poses[rotation], 10.0);
+    returns.take_axes(caster);
+    maker.add_piece({rotation, 2}, slice, poses[rotation]);
   }
-  maker.finish();
+  maker.finish(returns, 10.0);
   EXPECT_EQ(maker.truth().X_WS.p_m, Vector2d(0, 0));
   EXPECT_NEAR(maker.truth().beams[3].range_m, 4.5, 1e-12);        // odd
   EXPECT_EQ(maker.truth().objects[0].from_m, Vector2d(4.5, -2));  // of seven beams the middle one is odd
@@ -104,11 +116,53 @@ TEST(TruthMakerTest, AScanLeavesNothingBehindForTheNext) {
     const PlanarSlice slice = slice_with_leg(p_WL);
     maker.begin({});
     caster.cast(slice, {});
-    maker.add_rotation(caster, slice, {}, 10.0);
-    maker.finish();
+    IdealReturns returns = nothing();
+    returns.take_axes(caster);
+    maker.add_piece({}, slice, {});
+    maker.finish(returns, 10.0);
   }
   EXPECT_EQ(maker.truth().objects[1].num_clean_beams, 0);
   EXPECT_EQ(maker.truth().objects[0].num_clean_beams, 7);
+}
+
+// Beams 2, 3 and 4 meet the leg; 2 has an edge in its spot.
+TEST(TruthMakerTest, MixedBeamsAreMarkedAndNotCountedAsClean) {
+  TruthMaker maker(kObjects, 7);
+  maker.begin({});
+  IdealReturns returns = nothing();
+  const PlanarSlice early = slice_with_leg({2, 0});
+  const PlanarSlice late = slice_with_leg({2, 0.001});
+  for (int first : {0, 4}) {
+    const BeamSubset beams{first, 1, first == 0 ? 4 : 3};
+    RayCaster caster(seven_beams(), beams);
+    caster.cast(first == 0 ? early : late, {});
+    returns.take_axes(caster);
+    maker.add_piece(beams, first == 0 ? early : late, {});
+  }
+  returns.split_spots = {{2, 0, 0}};
+  maker.finish(returns, 10.0);
+  const Truth& truth = maker.truth();
+  EXPECT_TRUE(truth.beams[2].mixed);
+  EXPECT_FALSE(truth.beams[3].mixed);
+  EXPECT_EQ(truth.beams[2].object, 1);  // its axis
+  EXPECT_EQ(truth.objects[1].num_clean_beams, 2);
+  EXPECT_EQ(truth.objects[1].center_m, Vector2d(2, 0.001));  // of beams 3 and 4 the later
+}
+
+// A polynomial; its source states an error of at most 2e-8.
+TEST(TruthMakerTest, IncidenceIsTheArcCosine) {
+  TruthMaker maker({{"wall", "wall", Primitive::kLine, 0.0}}, 1);
+  for (double cosine = 0.0; cosine <= 1.0; cosine += 0.001) {
+    maker.begin({});
+    maker.add_piece({}, PlanarSlice{}, {});
+    IdealReturns returns;
+    returns.reset(1);
+    returns.object[0] = 0;
+    returns.range_m[0] = 1.0;
+    returns.cos_incidence[0] = cosine;
+    maker.finish(returns, 10.0);
+    ASSERT_NEAR(maker.truth().beams[0].incidence_rad, std::acos(cosine), 2.1e-8);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "sim/sensor/sensor_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "core/random/gaussian_pair.hpp"
+#include "core/scan/laser_scan.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+constexpr double kSurelySeen = 1.0;   // strength of an echo
+constexpr double kSurelyLost = 0.25;  // likewise
+
+/// Uniform in the open interval (0, 1).
+double unit(std::uint32_t word) {
+  return (static_cast<double>(word) + 0.5) * 0x1p-32;
+}
+
+}  // namespace
+
+SensorModel::SensorModel(const SensorOptions& options, std::uint64_t seed, std::vector<Material> materials)
+    : options_(options),
+      random_(seed, "laser"),
+      materials_(std::move(materials)),
+      reach_scale_m2_(options.dropout.reach_m * options.dropout.reach_m / 0.1),
+      cos_glass_cone_(std::cos(options.dropout.glass_cone_rad)),
+      cos_glint_(options.dazzle.glint_rad > 0.0 ? std::cos(options.dazzle.glint_rad) : 2.0),
+      range_limit_m_(options.range_limit_m()) {}
+
+void SensorModel::measure(const IdealReturns& returns, std::int64_t scan, std::vector<double>& range_m) {
+  const int num_beams = static_cast<int>(returns.range_m.size());
+  range_m.resize(num_beams);
+  echoes_.resize(num_beams);
+  for (int i = 0; i < num_beams; ++i) echoes_[i] = axis_echo(returns, i);
+  for (const SplitSpot& spot : returns.split_spots) echoes_[spot.beam] = spot_echo(returns, spot);
+  Draws right{};
+  Draws left{};
+  for (int i = 0; i < num_beams; i += 2) {
+    draw(scan, i, right, left);
+    range_m[i] = reading_m(echoes_[i], right);
+    if (i + 1 < num_beams) range_m[i + 1] = reading_m(echoes_[i + 1], left);
+  }
+}
+
+SensorModel::Echo SensorModel::axis_echo(const IdealReturns& returns, int beam) const {
+  const int object = returns.object[beam];
+  return {returns.range_m[beam], returns.cos_incidence[beam],
+          object == kNoObject ? nullptr : &materials_[object]};
+}
+
+// The rays of a spot fall into bunches no farther apart in depth than the pulse is long; of the brightest
+// bunch the middle is measured, each ray by its light.
+SensorModel::Echo SensorModel::spot_echo(const IdealReturns& returns, const SplitSpot& spot) {
+  const auto first = returns.spot_returns.begin() + spot.first;
+  sorted_.assign(first, first + spot.count);
+  std::sort(sorted_.begin(), sorted_.end(),
+            [](const SpotReturn& a, const SpotReturn& b) { return a.range_m < b.range_m; });
+  Echo brightest{kNoEcho, 1.0, nullptr};
+  double brightest_light = 0.0;
+  for (std::size_t i = 0; i < sorted_.size() && sorted_[i].object != kNoObject;) {
+    double light = 0.0;
+    double moment_m = 0.0;
+    std::size_t strongest = i;
+    double strongest_light = 0.0;
+    const std::size_t begin = i;
+    do {
+      const SpotReturn& ray = sorted_[i];
+      const Material& material = materials_[ray.object];
+      const bool returns_light = !material.glass || ray.cos_incidence >= cos_glass_cone_;
+      const double ray_light = returns_light ? ray.weight * material.reflectivity * ray.cos_incidence : 0.0;
+      light += ray_light;
+      moment_m += ray_light * ray.range_m;
+      if (ray_light > strongest_light) {
+        strongest_light = ray_light;
+        strongest = i;
+      }
+      ++i;
+    } while (i < sorted_.size() && sorted_[i].object != kNoObject &&
+             sorted_[i].range_m - sorted_[i - 1].range_m <= options_.spot.pulse_m);
+    const double inverse_square = light / (sorted_[begin].range_m * sorted_[begin].range_m);
+    if (light == 0.0 || inverse_square <= brightest_light) continue;
+    brightest_light = inverse_square;
+    brightest = {moment_m / light, sorted_[strongest].cos_incidence, &materials_[sorted_[strongest].object]};
+  }
+  return brightest;
+}
+
+// One block of four words gives two beams their Gaussians and a word each for loss.
+void SensorModel::draw(std::int64_t scan, int beam, Draws& right, Draws& left) const {
+  const PhiloxCounter words = random_.bits(scan, beam / 2);
+  std::tie(right.gaussian, left.gaussian) = gaussian_pair(words[0], words[1]);
+  right.loss = words[2];
+  left.loss = words[3];
+  if (options_.effects.dazzle == 0.0) return;
+  const PhiloxCounter more = random_.bits(scan, beam / 2, 1);
+  right.dazzle = more[0];
+  left.dazzle = more[1];
+}
+
+bool SensorModel::is_dazzled(const Echo& echo, std::uint32_t word) const {
+  const bool glints = echo.material != nullptr && echo.material->glass && echo.cos_incidence >= cos_glint_;
+  const double probability = options_.effects.dazzle * (glints ? 1.0 : options_.dazzle.probability);
+  return unit(word) < probability;
+}
+
+double SensorModel::reading_m(const Echo& echo, const Draws& draws) const {
+  const double range_m = reading_with_errors_m(echo, draws);
+  if (std::isnan(range_m) || options_.exact_ranges) return range_m > range_limit_m_ ? kNoEcho : range_m;
+  if (range_m > range_limit_m_) return kNoEcho;
+  return decode_lms_word(encode_lms_word(range_m, options_.unit, options_.word_bits), options_.unit,
+                         options_.word_bits);
+}
+
+double SensorModel::reading_with_errors_m(const Echo& echo, const Draws& draws) const {
+  if (is_dazzled(echo, draws.dazzle)) return kInvalid;
+  if (echo.material == nullptr) return kNoEcho;
+  if (unit(draws.loss) < loss_probability(echo.range_m, echo.cos_incidence, *echo.material)) return kNoEcho;
+  double range_m = echo.range_m;
+  if (options_.effects.bias != 0.0) range_m += bias_m(echo.range_m, echo.cos_incidence, *echo.material);
+  if (options_.effects.noise != 0.0) {
+    range_m += sigma_m(echo.range_m, echo.cos_incidence, *echo.material) * draws.gaussian;
+  }
+  range_m = std::max(range_m, 0.0);
+  return range_m < options_.min_range_m ? kInvalid : range_m;
+}
+
+double SensorModel::strength(double range_m, double cos_incidence, const Material& material) const {
+  return material.reflectivity * cos_incidence * reach_scale_m2_ / (range_m * range_m);
+}
+
+double SensorModel::sigma_m(double range_m, double cos_incidence, const Material& material) const {
+  const double far_m = options_.noise.sigma_ratio * range_m;
+  double variance = options_.noise_sigma_m * options_.noise_sigma_m + far_m * far_m;
+  if (options_.noise.weak_ratio > 0.0 && std::isfinite(reach_scale_m2_)) {
+    const double seen = std::max(strength(range_m, cos_incidence, material), kSurelyLost);
+    variance *= 1.0 + options_.noise.weak_ratio / seen;
+  }
+  return options_.effects.noise * std::sqrt(variance + material.roughness_m * material.roughness_m);
+}
+
+double SensorModel::bias_m(double range_m, double cos_incidence, const Material& material) const {
+  const BiasOptions& bias = options_.bias;
+  double sum_m =
+      bias.offset_m + bias.dark_m * (1.0 - material.reflectivity) + bias.grazing_m * (1.0 - cos_incidence);
+  if (bias.cyclic_m != 0.0) sum_m += bias.cyclic_m * sine_of_turns(range_m / bias.cyclic_period_m);
+  return options_.effects.bias * sum_m;
+}
+
+double SensorModel::loss_probability(double range_m, double cos_incidence, const Material& material) const {
+  if (options_.effects.dropout == 0.0) return 0.0;
+  if (material.glass && cos_incidence < cos_glass_cone_) return std::min(options_.effects.dropout, 1.0);
+  if (!std::isfinite(reach_scale_m2_)) return 0.0;
+  const double seen = strength(range_m, cos_incidence, material);
+  const double lost = (kSurelySeen - seen) / (kSurelySeen - kSurelyLost);
+  return std::clamp(options_.effects.dropout * std::max(lost, 0.0), 0.0, 1.0);
+}
+
+}  // namespace scanbed::sim

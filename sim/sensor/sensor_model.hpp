@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random/philox.hpp"
+#include "sim/sensor/ideal_returns.hpp"
+#include "sim/sensor/sensor_options.hpp"
+#include "sim/world/world.hpp"
+
+namespace scanbed::sim {
+
+/// What a sensor makes of ideal returns: which of the echoes in a spot it measures, whether it is dazzled or
+/// the echo too weak, bias, noise, and the nearest step, through the words of its protocol.
+///
+/// Random numbers are drawn by (seed, scan, beam): the same for any order of scans and number of workers, and
+/// with any compiler.
+class SensorModel {
+ public:
+  /// @param materials  by object, as IdealReturns counts them.
+  /// @pre the options validate.
+  SensorModel(const SensorOptions& options, std::uint64_t seed, std::vector<Material> materials);
+
+  /// Writes the ranges of one scan over `range_m`, decoded from words unless the sensor's ranges are exact:
+  /// kNoEcho without an echo and beyond the greatest range, kInvalid where dazzled or too close. Not
+  /// rounded down to 0: noise below 0 gives 0.
+  void measure(const IdealReturns& returns, std::int64_t scan, std::vector<double>& range_m);
+
+  /// Standard deviation of the noise on a clean echo, in closed form (see NoiseOptions).
+  double sigma_m(double range_m, double cos_incidence, const Material& material) const;
+
+  /// Systematic error of a clean echo, in closed form (see BiasOptions).
+  double bias_m(double range_m, double cos_incidence, const Material& material) const;
+
+  /// Probability that a clean echo is lost (see DropoutOptions).
+  double loss_probability(double range_m, double cos_incidence, const Material& material) const;
+
+ private:
+  /// What the sensor takes for the echo of a beam.
+  struct Echo {
+    double range_m;
+    double cos_incidence;
+    const Material* material;  ///< nullptr: there is none
+  };
+  /// Random words of one beam.
+  struct Draws {
+    double gaussian;
+    std::uint32_t loss;
+    std::uint32_t dazzle;
+  };
+
+  Echo axis_echo(const IdealReturns& returns, int beam) const;
+  Echo spot_echo(const IdealReturns& returns, const SplitSpot& spot);
+  void draw(std::int64_t scan, int beam, Draws& right, Draws& left) const;
+  bool is_dazzled(const Echo& echo, std::uint32_t word) const;
+  double reading_m(const Echo& echo, const Draws& draws) const;
+  double reading_with_errors_m(const Echo& echo, const Draws& draws) const;
+  double strength(double range_m, double cos_incidence, const Material& material) const;
+
+  SensorOptions options_;
+  RandomSource random_;
+  std::vector<Material> materials_;
+  double reach_scale_m2_;  ///< reach^2 / 10 %; infinite where no echo is too weak
+  double cos_glass_cone_;
+  double cos_glint_;
+  double range_limit_m_;
+  std::vector<SpotReturn> sorted_;  ///< scratch: a spot's rays by range
+  std::vector<Echo> echoes_;        ///< scratch: by beam
+};
+
+}  // namespace scanbed::sim
