@@ -99,4 +99,9 @@ const CarmenLogCounts& CarmenLog::counts() const {
   return impl_->counts;
 }
 
+const RecordingMetadata& CarmenLog::metadata() const {
+  static const RecordingMetadata kNone;
+  return kNone;
+}
+
 }  // namespace scanbed::hw

@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 
-#include "core/scan/range_sensor.hpp"
 #include "hw/recording/byte_stream.hpp"
 #include "hw/recording/carmen_message.hpp"
+#include "hw/recording/scan_reader.hpp"
 
 namespace scanbed::hw {
 
-/// What a log held, counted as it is read.
-struct CarmenLogCounts {
-  std::int64_t num_scans = 0;
-  std::int64_t num_damaged_lines = 0;
-  std::int64_t num_other_lines = 0;  ///< comments, parameters, odometry and other messages that carry no scan
-};
+using CarmenLogCounts = RecordingCounts;
 
 /// Scans of a CARMEN log, plain or gzip, streaming: FLASER, RLASER, RAWLASER1..4, ROBOTLASER1..2. Which of
 /// the two it is the first bytes say, not the name. Memory does not grow with the file. What the messages
 /// mean: parse_carmen_line.
-class CarmenLog final : public RangeSensor {
+class CarmenLog final : public ScanReader {
  public:
-  /// Called for each damaged line, which is then skipped: a message with file and line number.
-  using Report = std::function<void(const std::string&)>;
+  using Report = DamageReport;
 
   /// Reads on to the first scan, so that geometry() is known.
   /// @param report  may be empty.
@@ -49,8 +41,8 @@ class CarmenLog final : public RangeSensor {
   /// @throws SensorFault where the operating system fails to read the file.
   bool next(LaserScan& scan, Seconds timeout) override;
 
-  /// Of what was read so far: one scan more than next() gave until its first call.
-  const CarmenLogCounts& counts() const;
+  const CarmenLogCounts& counts() const override;
+  const RecordingMetadata& metadata() const override;  ///< empty
 
  private:
   struct Impl;

@@ -43,21 +43,6 @@ bool is_left(const FieldReader& fields, int num) {
   return fields.num_left() == num || fields.num_left() == num + kTail;
 }
 
-/// As CARMEN guesses it; see the header.
-ScanGeometry guess_geometry(int num_beams) {
-  ScanGeometry geometry;
-  geometry.num_beams = num_beams;
-  if (num_beams == 180 || num_beams == 181) {
-    geometry.step_rad = radians(1.0);
-  } else if (num_beams == 400 || num_beams == 401) {
-    geometry.first_rad = radians(-50.0);
-    geometry.step_rad = radians(0.25);
-  } else if (num_beams != 360 && num_beams > 1) {
-    geometry.step_rad = kPi / (num_beams - 1);
-  }
-  return geometry;
-}
-
 /// The configuration in front of the readings of the newer messages.
 ScanGeometry read_geometry(FieldReader& fields) {
   constexpr double kMostTurn_rad = 2.0 * kPi + 1e-3;
@@ -124,7 +109,7 @@ void fail_count(FieldReader& fields, const LaserScan& scan) {
 }
 
 void read_old(FieldReader& fields, const CarmenLogOptions& options, LaserScan& scan) {
-  scan.geometry = guess_geometry(fields.count("num_readings"));
+  scan.geometry = guess_carmen_geometry(fields.count("num_readings"));
   need_left(fields, scan.geometry.num_beams);
   if (!fields.ok()) return;
   read_ranges(fields, options.no_return_m, scan);
@@ -190,6 +175,24 @@ CarmenLine damaged(std::string what) {
 }
 
 }  // namespace
+
+bool is_carmen_message(std::string_view name) {
+  return find_message(name) != nullptr;
+}
+
+ScanGeometry guess_carmen_geometry(int num_beams) {
+  ScanGeometry geometry;
+  geometry.num_beams = num_beams;
+  if (num_beams == 180 || num_beams == 181) {
+    geometry.step_rad = radians(1.0);
+  } else if (num_beams == 400 || num_beams == 401) {
+    geometry.first_rad = radians(-50.0);
+    geometry.step_rad = radians(0.25);
+  } else if (num_beams != 360 && num_beams > 1) {
+    geometry.step_rad = kPi / (num_beams - 1);
+  }
+  return geometry;
+}
 
 void CarmenLogOptions::validate() const {
   require(no_return_m > 0.0, "log.no_return_m", no_return_m, "> 0");

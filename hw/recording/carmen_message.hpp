@@ -18,6 +18,12 @@ struct CarmenLogOptions {
   void validate() const;  ///< @throws InputError naming the first field that is not allowed
 };
 
+/// Whether a message of this name carries a scan.
+bool is_carmen_message(std::string_view name);
+
+/// Where the beams of an FLASER or RLASER of so many readings point; see parse_carmen_line.
+ScanGeometry guess_carmen_geometry(int num_beams);
+
 /// What a line of a CARMEN log turned out to be.
 struct CarmenLine {
   enum class Kind {

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "hw/recording/bag_reader.hpp"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/errors/input_error.hpp"
+#include "hw/recording/bag_record.hpp"
+#include "hw/recording/compression.hpp"
+#include "hw/recording/little_endian.hpp"
+#include "hw/recording/piece_reader.hpp"
+#include "hw/recording/ros_messages.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr std::uint32_t kMostHeader = std::uint32_t{1} << 20;
+constexpr std::size_t kMostConnections = 65536;
+
+std::string without_slash(std::string_view topic) {
+  if (topic.starts_with('/')) topic.remove_prefix(1);
+  return std::string(topic);
+}
+
+enum class Content { kOther, kScan, kTransform };
+
+struct Connection {
+  Content content = Content::kOther;
+  std::string source;  // of its scans
+};
+
+/// What a bag's first record announces, and what of it was seen.
+struct Inventory {
+  bool is_indexed = false;
+  std::uint32_t num_connections = 0;
+  std::uint32_t num_chunks = 0;
+  std::uint32_t num_seen_connections = 0;  // in the index, not in chunks
+  std::uint32_t num_seen_chunks = 0;       // in the index
+
+  bool is_complete() const {
+    return is_indexed && num_seen_connections >= num_connections && num_seen_chunks >= num_chunks;
+  }
+};
+
+class BagSource final : public ScanSource {
+ public:
+  BagSource(std::unique_ptr<ByteStream> bytes, std::string name, const BagOptions& options,
+            DamageReport report)
+      : pieces_(std::move(bytes)),
+        name_(std::move(name)),
+        only_(without_slash(options.only)),
+        report_(std::move(report)) {
+    read_start();
+  }
+
+  bool read(RecordedScan& out) override {
+    for (;;) {
+      while (cursor_.num_left() > 0) {
+        if (try_chunk_record(out)) return true;
+      }
+      if (!next_record()) break;
+      take_record();
+    }
+    if (inventory_.is_complete()) return false;
+    throw InputError(name_ + ": is not finished: it ends after " + std::to_string(counts_.num_scans) +
+                     " scans without its index (cut off, or its recorder was killed)");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(name_ + ": record at byte " + std::to_string(record_at_) + ": " + what);
+  }
+
+  void damaged(const std::string& what) {
+    ++counts_.num_damaged_lines;
+    if (report_) report_(name_ + ": record at byte " + std::to_string(record_at_) + " skipped: " + what);
+  }
+
+  void read_start() {
+    std::string magic;
+    if (!pieces_.read(magic, kBagMagic.size()) || magic != kBagMagic) {
+      throw InputError(name_ + ": is no ROS bag of version 2.0: it begins otherwise");
+    }
+    if (!next_record()) throw InputError(name_ + ": is cut off in its first record");
+    if (bag_op_here() != BagOp::kBagHeader) fail("is not the bag's header");
+    try {
+      inventory_.is_indexed = bag_field64(header_, "index_pos") != 0;
+      inventory_.num_connections = bag_field32(header_, "conn_count");
+      inventory_.num_chunks = bag_field32(header_, "chunk_count");
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+    const auto encryptor = find_bag_field(header_, "encryptor");
+    if (encryptor && !encryptor->empty()) fail("the bag is encrypted; expected one that is not");
+  }
+
+  BagOp bag_op_here() const {
+    try {
+      return bag_op(header_);
+    } catch (const InputError& error) {
+      fail(error.what());
+    }
+  }
+
+  /// A length in front of its bytes; false where the file ends in it or in them.
+  bool read_piece(std::string& piece, std::uint64_t most) {
+    std::string length_bytes;
+    if (!pieces_.read(length_bytes, 4)) return false;
+    const auto length = ByteCursor(length_bytes).number<std::uint32_t>();
+    if (length > most) {
+      fail("claims " + std::to_string(length) + " bytes, more than " + std::to_string(most));
+    }
+    return pieces_.read(piece, length);
+  }
+
+  /// Reads the next record of the file; false at the end. What there is of a torn one stays in data_.
+  bool next_record() {
+    if (is_over_) return false;
+    record_at_ = pieces_.offset();
+    data_.clear();
+    if (!read_piece(header_, kMostHeader)) {
+      is_over_ = true;
+      return false;
+    }
+    is_over_ = !read_piece(data_, kMostUnpacked);
+    if (!is_over_) return true;
+    // The whole messages of a torn chunk are as good as others, if it is not packed.
+    const auto packing = find_bag_field(header_, "compression");
+    return packing && *packing == "none";
+  }
+
+  void take_record() {
+    switch (bag_op_here()) {
+      case BagOp::kChunk:
+        open_chunk();
+        break;
+      case BagOp::kConnection:
+        ++inventory_.num_seen_connections;
+        index_connection();
+        break;
+      case BagOp::kChunkInfo:
+        ++inventory_.num_seen_chunks;
+        break;
+      case BagOp::kIndex:
+        break;
+      default:
+        fail("is of an unknown kind");
+    }
+  }
+
+  /// Bags that hold connections only in their index are not ours, but may be read in part.
+  void index_connection() {
+    try {
+      add_connection(header_, data_);
+    } catch (const InputError& error) {
+      damaged(error.what());
+    }
+  }
+
+  void open_chunk() {
+    try {
+      const std::string_view name = find_bag_field(header_, "compression").value_or("?");
+      const std::optional<Packing> packing = packing_of_name(name);
+      if (!packing || *packing == Packing::kZstd) throw InputError("packed in an unknown way");
+      // Of what is not packed the length is known anyway; old writers announced another one.
+      chunk_ = *packing == Packing::kNone ? std::move(data_)
+                                          : unpack_chunk(data_, *packing, bag_field32(header_, "size"));
+      cursor_ = ByteCursor(chunk_);
+    } catch (const InputError& error) {
+      damaged(error.what());
+    }
+  }
+
+  /// Takes one record of the chunk; whether it was a scan.
+  bool try_chunk_record(RecordedScan& out) {
+    const std::string_view header = cursor_.piece();
+    const std::string_view data = cursor_.piece();
+    try {
+      if (!cursor_.ok()) {
+        cursor_ = ByteCursor(std::string_view());
+        if (is_over_) return false;  // torn; the end is told as such
+        throw InputError("a record in the chunk is longer than what is left of it");
+      }
+      return take_chunk_record(header, data, out);
+    } catch (const InputError& error) {
+      damaged(error.what());
+      return false;
+    }
+  }
+
+  bool take_chunk_record(std::string_view header, std::string_view data, RecordedScan& out) {
+    switch (bag_op(header)) {
+      case BagOp::kConnection:
+        add_connection(header, data);
+        return false;
+      case BagOp::kMessage:
+        return take_message(bag_field32(header, "conn"), data, out);
+      default:
+        throw InputError("a record in the chunk is of an unknown kind");
+    }
+  }
+
+  void add_connection(std::string_view header, std::string_view data) {
+    const std::uint32_t id = bag_field32(header, "conn");
+    if (connections_.size() >= kMostConnections) throw InputError("more connections than 65536");
+    Connection connection;
+    connection.source = without_slash(find_bag_field(header, "topic").value_or(""));
+    const auto type = find_bag_field(data, "type");
+    const auto md5 = find_bag_field(data, "md5sum");
+    const bool is_wanted = only_.empty() || connection.source == only_;
+    const auto is = [&](const RosType& known) { return type == known.name && md5 == known.md5; };
+    if (is(kLaserScanType) && is_wanted) connection.content = Content::kScan;
+    if (is(kTransformType)) connection.content = Content::kTransform;
+    if (connection.source == "scan") connection.source.clear();
+    connections_.insert_or_assign(id, std::move(connection));
+  }
+
+  bool take_message(std::uint32_t id, std::string_view data, RecordedScan& out) {
+    const auto found = connections_.find(id);
+    if (found == connections_.end()) throw InputError("a message of an unknown connection");
+    switch (found->second.content) {
+      case Content::kScan:
+        decode_laser_scan(data, out.scan);
+        out.scan.source = found->second.source;
+        out.scan.X_OR = X_OR_;
+        out.features.reset();
+        out.truth.reset();
+        ++counts_.num_scans;
+        return true;
+      case Content::kTransform:
+        if (const auto X_OR = decode_odometry(data)) X_OR_ = X_OR;
+        break;
+      case Content::kOther:
+        break;
+    }
+    ++counts_.num_other_lines;
+    return false;
+  }
+
+  PieceReader pieces_;
+  std::string name_;
+  std::string only_;
+  DamageReport report_;
+  Inventory inventory_;
+  std::map<std::uint32_t, Connection> connections_;
+  std::optional<Pose2> X_OR_;  // the last one that came by
+
+  std::uint64_t record_at_ = 0;  // where the record of the file begins, for messages
+  std::string header_;           // of the record of the file
+  std::string data_;
+  bool is_over_ = false;                                // the file has ended, after or within that record
+  std::string chunk_;                                   // unpacked
+  ByteCursor cursor_ = ByteCursor(std::string_view());  // on what is left of it
+};
+
+}  // namespace
+
+std::unique_ptr<ScanSource> read_bag(std::unique_ptr<ByteStream> bytes, std::string name,
+                                     const BagOptions& options, DamageReport report) {
+  return std::make_unique<BagSource>(std::move(bytes), std::move(name), options, std::move(report));
+}
+
+}  // namespace scanbed::hw

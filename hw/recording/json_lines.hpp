@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "hw/recording/byte_sink.hpp"
+#include "hw/recording/byte_stream.hpp"
+#include "hw/recording/scan_source.hpp"
+#include "hw/recording/scan_writer.hpp"
+
+namespace scanbed::hw {
+
+// Our own recordings: JSON Lines that keep everything, bit by bit.
+//
+//   {"format":"scanbed.recording","version":1,"metadata":{"seed":"7", ...}}
+//   {"scan":0,"t_s":0.0,"source":"","geometry":{...},"odometry":[x,y,theta],"ranges":[1.25,"inf","-inf","nan",
+//   ...],
+//    "features":[...],"truth":{...}}
+//   ...
+//   {"end":1}
+//
+// odometry, features and truth are left out where they are not known; their parts are those of scan_json.hpp.
+// A range is a number, or "inf" (no echo), "-inf" (too close) or "nan" (invalid).
+
+/// The first line begins with this.
+inline constexpr std::string_view kJsonLinesMagic = R"({"format":"scanbed.recording")";
+
+std::unique_ptr<ScanWriter> write_json_lines(std::unique_ptr<ByteSink> sink,
+                                             const RecordingMetadata& metadata);
+
+/// Which scans of a recording are read.
+struct JsonLinesOptions {
+  std::string only;  ///< those of this source; empty reads all
+};
+
+/// Reads plain or gzip. A line that is no scan is reported with its number and skipped. After the last scan,
+/// InputError if the end line is missing: the recorder was killed, or the file was cut off.
+/// @throws InputError where the first line is not that of a recording, or of a later version.
+std::unique_ptr<ScanSource> read_json_lines(std::unique_ptr<ByteStream> bytes, std::string name,
+                                            const JsonLinesOptions& options, DamageReport report);
+
+}  // namespace scanbed::hw

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "hw/recording/byte_stream.hpp"
+#include "hw/recording/scan_reader.hpp"
+#include "hw/recording/scan_writer.hpp"
+
+namespace scanbed::hw {
+
+/// How a recording is read.
+struct RecordingOptions {
+  std::string only;  ///< read this message (CARMEN), topic (bag, MCAP) or device (Player) alone; empty: all
+  double no_return_m = 81.83;  ///< CARMEN logs: readings from here on mean "no return"
+
+  void validate() const;  ///< @throws InputError naming the first field that is not allowed
+};
+
+/// Opens a recording of any format; its content tells which, and its name where the content does not.
+/// @throws InputError where it is missing, unreadable, empty, holds no scan, or the options do not validate.
+std::unique_ptr<ScanReader> open_recording(const std::filesystem::path& path, const RecordingOptions& options,
+                                           DamageReport report);
+
+/// The same of any bytes; `name` is what messages call them, and its ending counts as a file's would.
+std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, const std::string& name,
+                                           const RecordingOptions& options, DamageReport report);
+
+/// Begins a recording in the format that the path's ending asks for (see format_of_name).
+/// @throws InputError where the ending is of no format.
+/// @throws WriteFault where the file cannot be made.
+std::unique_ptr<ScanWriter> create_recording(const std::filesystem::path& path,
+                                             const RecordingMetadata& metadata);
+
+}  // namespace scanbed::hw

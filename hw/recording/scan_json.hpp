@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/detect/features.hpp"
+#include "core/geometry/pose2.hpp"
+#include "core/scan/scan_geometry.hpp"
+#include "core/scan/truth.hpp"
+#include "hw/recording/json_text.hpp"
+#include "hw/recording/json_value.hpp"
+
+namespace scanbed::hw {
+
+// The parts of a scan as JSON, shared by the formats that are made of it. SI units; what is written reads
+// back to the same bits. Readers throw InputError for what is missing or cannot be.
+
+/// {"first_rad": ..., "step_rad": ..., "min_range_m": ..., "max_range_m": ..., "rotations": 2, "rotation_s":
+/// ..., "step_s": ...}; max_range_m is left out where it is infinite. The number of beams the ranges tell.
+void write_geometry(JsonText& json, const ScanGeometry& geometry);
+ScanGeometry read_geometry(const JsonValue& json, int num_beams);
+
+/// Refuses a geometry that no sensor has: beams spread over more than a turn, or numbers that are not finite.
+void check_geometry(const ScanGeometry& geometry);
+
+/// [x_m, y_m, theta_rad]
+void write_pose(JsonText& json, const Pose2& pose);
+Pose2 read_pose(const JsonValue& json);
+
+/// [{"type": "line", "first": 0, "last": 58, "left": [x, y], ...}, ...] with the keys that `scanbed detect`
+/// prints, but not rounded; slope and bias are left out for a line along y. Lines, then circles, then legs.
+void write_features(JsonText& json, const Features& features);
+Features read_features(const JsonValue& json, int num_beams);
+
+/// {"pose": [...], "beams": [{"object": 0, "range": ..., "incidence": ..., "mixed": 0}, ...], "objects":
+/// [...]}. A beam that met nothing has object -1 and range -1.
+void write_truth(JsonText& json, const Truth& truth);
+Truth read_truth(const JsonValue& json, int num_beams);
+
+}  // namespace scanbed::hw

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "core/detect/features.hpp"
+#include "core/scan/laser_scan.hpp"
+#include "core/scan/truth.hpp"
+#include "hw/recording/scan_reader.hpp"
+
+namespace scanbed::hw {
+
+/// A scan as a recording holds it.
+struct RecordedScan {
+  LaserScan scan;
+  std::optional<Features> features;
+  std::optional<Truth> truth;
+};
+
+/// What differs between formats: how the next scan is found and decoded. StreamedReader makes a sensor of it.
+class ScanSource {
+ public:
+  ScanSource() = default;
+  ScanSource(const ScanSource&) = delete;
+  ScanSource& operator=(const ScanSource&) = delete;
+  virtual ~ScanSource() = default;
+
+  /// Reads the next scan, all fields but its index; false at the end. Counts damaged and other records.
+  /// @throws InputError where the recording cannot be read on (cut off, damaged).
+  /// @throws SensorFault where the operating system fails to read.
+  virtual bool read(RecordedScan& out) = 0;
+
+  const RecordingCounts& counts() const { return counts_; }
+  const RecordingMetadata& metadata() const { return metadata_; }
+
+ protected:
+  RecordingCounts counts_;
+  RecordingMetadata metadata_;
+};
+
+}  // namespace scanbed::hw

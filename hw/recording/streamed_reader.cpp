@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "hw/recording/streamed_reader.hpp"
+
+#include <utility>
+
+#include "core/errors/input_error.hpp"
+
+namespace scanbed::hw {
+
+StreamedReader::StreamedReader(std::unique_ptr<ScanSource> source, std::string name)
+    : source_(std::move(source)) {
+  is_ahead_ = read();
+  if (is_ahead_) return;
+  throw InputError(name + ": holds no scan (" + std::to_string(counts_.num_damaged_lines) + " damaged, " +
+                   std::to_string(counts_.num_other_lines) + " other lines or records)");
+}
+
+bool StreamedReader::read() {
+  if (is_over_) return false;
+  // Until the source says otherwise: after a failure there is nothing to read either.
+  is_over_ = true;
+  const bool is_there = source_->read(spare_);
+  const std::int64_t num_scans = counts_.num_scans;
+  counts_ = source_->counts();
+  counts_.num_scans = num_scans + static_cast<std::int64_t>(is_there);
+  if (!is_there) return false;
+  std::swap(given_, spare_);
+  given_.scan.index = num_scans;
+  is_over_ = false;
+  return true;
+}
+
+bool StreamedReader::next(LaserScan& scan, Seconds /*timeout*/) {
+  if (!std::exchange(is_ahead_, false) && !read()) return false;
+  scan = given_.scan;
+  return true;
+}
+
+const Truth* StreamedReader::truth() const {
+  return !is_ahead_ && given_.truth ? &*given_.truth : nullptr;
+}
+
+const Features* StreamedReader::features() const {
+  return !is_ahead_ && given_.features ? &*given_.features : nullptr;
+}
+
+}  // namespace scanbed::hw

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "hw/recording/json_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/hw/recording/made_recording.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+const std::string kHeader = R"({"format":"scanbed.recording","version":1,"metadata":{}})"
+                            "\n";
+const std::string kEnd = "{\"end\":1}\n";
+
+std::string line(const std::string& ranges, const std::string& more = "") {
+  return R"({"scan":0,"t_s":1.5,"source":"a","geometry":{"first_rad":-1,"step_rad":0.5,"min_range_m":0,)"
+         R"("rotations":1,"rotation_s":0,"step_s":0},"ranges":[)" +
+         ranges + "]" + more + "}\n";
+}
+
+TEST(JsonLinesTest, ReadsWhatItsHeaderDescribes) {
+  const Reading reading =
+      read_all(kHeader + line(R"(1.25,"inf","-inf","nan")", R"(,"odometry":[1,2,0.5])") + kEnd, "x.jsonl");
+  EXPECT_EQ(reading.error, "");
+  ASSERT_EQ(reading.scans.size(), 1U);
+  const LaserScan& scan = reading.scans[0];
+  EXPECT_EQ(scan.range_m[0], 1.25);
+  EXPECT_EQ(scan.range_m[1], kNoEcho);
+  EXPECT_EQ(scan.range_m[2], kTooClose);
+  EXPECT_TRUE(std::isnan(scan.range_m[3]));
+  EXPECT_EQ(scan.time_s, 1.5);
+  EXPECT_EQ(scan.source, "a");
+  EXPECT_EQ(scan.geometry.max_range_m, HUGE_VAL);
+  EXPECT_EQ(scan.X_OR->theta_rad, 0.5);
+}
+
+TEST(JsonLinesTest, FeaturesTruthAndTimingComeBack) {
+  const TemporaryFolder folder;
+  const auto writer = create_recording(folder / "x.jsonl", {});
+  LaserScan scan = made_scan(1);
+  scan.geometry.timing = {.num_rotations = 2, .rotation_s = 1.0 / 75.0, .step_s = 1e-5};
+  const Features features = made_features();
+  const Truth truth = made_truth(scan.num_beams());
+  writer->write({.scan = scan, .features = &features, .truth = &truth});
+  writer->write({.scan = scan});
+  writer->finish();
+  const Reading reading = read_all(bytes_of(folder / "x.jsonl"), "x.jsonl");
+  ASSERT_EQ(reading.scans.size(), 2U);
+  EXPECT_EQ(reading.scans[0].geometry.timing.num_rotations, 2);
+  EXPECT_EQ(reading.scans[0].geometry.timing.rotation_s, 1.0 / 75.0);
+  ASSERT_TRUE(reading.features[0].has_value());
+  EXPECT_EQ(reading.features[0]->lines.size(), 2U);
+  EXPECT_EQ(reading.features[0]->lines[0].slope, 1.0 / 3.0);
+  EXPECT_FALSE(reading.features[0]->lines[1].slope.has_value());
+  ASSERT_TRUE(reading.truths[0].has_value());
+  EXPECT_EQ(reading.truths[0]->beams[3].range_m, 2.0 / 3.0);
+  EXPECT_EQ(reading.truths[0]->beams[0].range_m, kNoEcho);
+  EXPECT_EQ(reading.truths[0]->objects[0].id, "col_L");
+  EXPECT_FALSE(reading.features[1].has_value());
+  EXPECT_FALSE(reading.truths[1].has_value());
+}
+
+TEST(JsonLinesTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
+  const Reading reading = read_all(kHeader + line("1") + line("-1") + line(R"("far")") + "{\"ranges\":\n" +
+                                       "{\"note\":1}\n\n" + line("2") + kEnd,
+                                   "x.jsonl");
+  EXPECT_EQ(reading.error, "");
+  EXPECT_EQ(reading.scans.size(), 2U);
+  EXPECT_EQ(reading.reports, (std::vector<std::string>{
+                                 "x.jsonl:3: line skipped: a range is negative",
+                                 "x.jsonl:4: line skipped: a range is a text other than inf, -inf and nan",
+                                 "x.jsonl:5: line skipped: not JSON at byte 10: expected a value"}));
+  EXPECT_EQ(reading.counts.num_other_lines, 1);
+}
+
+TEST(JsonLinesTest, SaysThatItIsNotFinished) {
+  const Reading reading = read_all(kHeader + line("1") + line("2"), "x.jsonl");
+  EXPECT_EQ(reading.scans.size(), 2U);
+  EXPECT_EQ(reading.error,
+            "x.jsonl: is not finished: it ends after 2 scans without an end line (cut off, or its "
+            "recorder was killed)");
+}
+
+TEST(JsonLinesTest, RefusesOtherFilesAndLaterVersions) {
+  EXPECT_EQ(read_all("{}\n", "x.jsonl").error,
+            "x.jsonl: is no recording of scanbed: its first line is another");
+  EXPECT_EQ(read_all(R"({"format":"scanbed.recording","version":2,"metadata":{}})"
+                     "\n",
+                     "x.jsonl")
+                .error,
+            "x.jsonl:1: version is 2, known is 1");
+}
+
+TEST(JsonLinesTest, RefusesAGeometryThatCannotBe) {
+  const std::string turn =
+      R"({"scan":0,"t_s":0,"source":"","geometry":{"first_rad":0,"step_rad":4,"min_range_m":0,)"
+      R"("rotations":1,"rotation_s":0,"step_s":0},"ranges":[1,1,1]})"
+      "\n";
+  const Reading reading = read_all(kHeader + turn + line("1") + kEnd, "x.jsonl");
+  EXPECT_EQ(reading.scans.size(), 1U);
+  ASSERT_EQ(reading.reports.size(), 1U);
+  EXPECT_NE(reading.reports[0].find("spread over more than a turn"), std::string::npos);
+}
+
+TEST(JsonLinesTest, AFeatureOutsideOfTheScanIsDamage) {
+  const std::string leg = R"(,"features":[{"type":"leg","first":0,"last":1,"middle":[1,1],"score":1}])";
+  const Reading reading = read_all(kHeader + line("1", leg) + line("1,1", leg) + kEnd, "x.jsonl");
+  EXPECT_EQ(reading.scans.size(), 1U);
+  EXPECT_EQ(reading.reports.size(), 1U);
+}
+
+}  // namespace
+}  // namespace scanbed::hw
