@@ -39,9 +39,9 @@ fs::path library_folder() {
     if (!is_folder(set)) throw InputError(fmt::format("SCANBED_LIBRARY: {} is no folder", quote(set)));
     return set;
   }
-  const fs::path installed = folder_beside_program();
+  fs::path installed = folder_beside_program();
   if (is_folder(installed)) return installed;
-  const fs::path source = SCANBED_LIBRARY_FOLDER;
+  fs::path source = SCANBED_LIBRARY_FOLDER;
   if (is_folder(source)) return source;
   throw InputError(fmt::format("scenario library not found in {} or {}; set SCANBED_LIBRARY to its folder",
                                installed.string(), source.string()));

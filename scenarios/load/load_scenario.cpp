@@ -91,7 +91,7 @@ Scenario load_tree(const Value& root) {
 }
 
 // The object whose id a message quotes ("solid 'col_L': ..."; of a bench's foot "'bench_L.foot_0'"), if any.
-const Node* find_named_in(std::string_view message, const Node& node) {
+const TreeNode* find_named_in(std::string_view message, const TreeNode& node) {
   for (const NodeEntry& entry : node.entries) {
     if (entry.key == "id") {
       const std::string name = "'" + entry.value.text;
@@ -99,29 +99,29 @@ const Node* find_named_in(std::string_view message, const Node& node) {
                             message.find(name + ".") != std::string_view::npos;
       if (is_named) return &node;
     }
-    if (const Node* found = find_named_in(message, entry.value)) return found;
+    if (const TreeNode* found = find_named_in(message, entry.value)) return found;
   }
-  for (const Node& item : node.items) {
-    if (const Node* found = find_named_in(message, item)) return found;
+  for (const TreeNode& item : node.items) {
+    if (const TreeNode* found = find_named_in(message, item)) return found;
   }
   return nullptr;
 }
 
 // Everything above checks single values; here the parts check each other.
-void validate_parts(const Scenario& scenario, const Node& root) {
+void validate_parts(const Scenario& scenario, const TreeNode& root) {
   try {
     scenario.lms.validate();
     scenario.match.validate();
     scenario.world.validate();
   } catch (const InputError& error) {
-    const Node* named = find_named_in(error.what(), root);
+    const TreeNode* named = find_named_in(error.what(), root);
     refuse(named != nullptr ? named->place : Place{root.place.source, 0, 0}, error.what());
   }
 }
 
-Scenario load_document(Node root, const std::string& source, std::span<const Setting> settings) {
+Scenario load_document(TreeNode root, const std::string& source, std::span<const Setting> settings) {
   for (const Setting& setting : settings) set_path(root, setting);
-  if (root.kind == Node::Kind::kNothing) throw InputError(source + ": is empty; expected a scenario");
+  if (root.kind == TreeNode::Kind::kNothing) throw InputError(source + ": is empty; expected a scenario");
   const Variables none;
   const Value whole(root, "scenario", none);
   // vars are known before anything that may refer to them, wherever they stand in the file.

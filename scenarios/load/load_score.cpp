@@ -20,7 +20,7 @@ Allowed allowed_bound(const Metric& metric) {
     case Measure::kRecallInBand:
       return kShare;
     case Measure::kFalsePerScan:
-    case Measure::kRmsError_m:
+    case Measure::kRmsError:
     case Measure::kNumTruths:
       break;
   }

@@ -13,7 +13,7 @@ std::vector<Metric> make_metrics() {
   std::vector<Metric> metrics = {{.name = "precision", .measure = Measure::kPrecision},
                                  {.name = "recall", .measure = Measure::kRecall},
                                  {.name = "fp_per_scan", .measure = Measure::kFalsePerScan, .at_most = true},
-                                 {.name = "rms_error", .measure = Measure::kRmsError_m, .at_most = true},
+                                 {.name = "rms_error", .measure = Measure::kRmsError, .at_most = true},
                                  {.name = "truths", .measure = Measure::kNumTruths}};
   constexpr std::array kEdges_m = {0, 2, 4, 6, 8};
   for (std::size_t i = 0; i < kEdges_m.size(); ++i) {

@@ -13,7 +13,7 @@ enum class FeatureKind { kLine, kCircle, kLeg };
 /// "line", "circle" or "leg".
 std::string_view to_string(FeatureKind kind);
 
-enum class Measure { kPrecision, kRecall, kRecallInBand, kFalsePerScan, kRmsError_m, kNumTruths };
+enum class Measure { kPrecision, kRecall, kRecallInBand, kFalsePerScan, kRmsError, kNumTruths };
 
 /// What a gate measures: one number of a kind's score.
 struct Metric {

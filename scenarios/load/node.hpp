@@ -11,14 +11,14 @@ namespace scanbed::scenarios {
 struct NodeEntry;
 
 /// A parsed file as a tree of values, each with its place. What a scalar means is decided by who reads it.
-struct Node {
+struct TreeNode {
   enum class Kind { kNothing, kScalar, kList, kMap };
 
   Kind kind = Kind::kNothing;
   Place place;
   std::string text;                ///< scalar
   bool is_quoted = false;          ///< scalar in quotes: text, never a number
-  std::vector<Node> items;         ///< list
+  std::vector<TreeNode> items;     ///< list
   std::vector<NodeEntry> entries;  ///< map, in the order of the file; keys are unique
 };
 
@@ -26,7 +26,7 @@ struct Node {
 struct NodeEntry {
   std::string key;
   Place place;  ///< of the key
-  Node value;
+  TreeNode value;
 };
 
 }  // namespace scanbed::scenarios

@@ -19,18 +19,18 @@ namespace {
 constexpr std::ptrdiff_t kMostSteps = 16;
 
 // All places within become the flag itself: its value has no line.
-void set_source(Node& node, const Place& flag) {
+void set_source(TreeNode& node, const Place& flag) {
   node.place = flag;
-  for (Node& item : node.items) set_source(item, flag);
+  for (TreeNode& item : node.items) set_source(item, flag);
   for (NodeEntry& entry : node.entries) {
     entry.place = flag;
     set_source(entry.value, flag);
   }
 }
 
-Node& step_into_map(Node& map, const std::string& key, const Place& flag) {
-  if (map.kind == Node::Kind::kNothing) {
-    map.kind = Node::Kind::kMap;
+TreeNode& step_into_map(TreeNode& map, const std::string& key, const Place& flag) {
+  if (map.kind == TreeNode::Kind::kNothing) {
+    map.kind = TreeNode::Kind::kMap;
     map.place = flag;
   }
   for (NodeEntry& entry : map.entries) {
@@ -41,16 +41,16 @@ Node& step_into_map(Node& map, const std::string& key, const Place& flag) {
   return map.entries.back().value;
 }
 
-std::optional<std::string> id_of(const Node& element) {
+std::optional<std::string> id_of(const TreeNode& element) {
   for (const NodeEntry& entry : element.entries) {
     if (entry.key == "id") return entry.value.text;
   }
   return std::nullopt;
 }
 
-Node& step_into_list(Node& list, const std::string& step, const Place& flag) {
+TreeNode& step_into_list(TreeNode& list, const std::string& step, const Place& flag) {
   std::vector<std::string> ids;
-  for (Node& item : list.items) {
+  for (TreeNode& item : list.items) {
     const std::optional<std::string> id = id_of(item);
     if (id == step) return item;
     if (id) ids.push_back(*id);
@@ -63,9 +63,9 @@ Node& step_into_list(Node& list, const std::string& step, const Place& flag) {
                            name_hint(step, ids, "ids")));
 }
 
-Node& step_into(Node& node, const std::string& step, const Place& flag) {
-  if (node.kind == Node::Kind::kList) return step_into_list(node, step, flag);
-  if (node.kind == Node::Kind::kScalar) {
+TreeNode& step_into(TreeNode& node, const std::string& step, const Place& flag) {
+  if (node.kind == TreeNode::Kind::kList) return step_into_list(node, step, flag);
+  if (node.kind == TreeNode::Kind::kScalar) {
     refuse(flag, fmt::format("cannot go into a single value at {}", quote(step)));
   }
   return step_into_map(node, step, flag);
@@ -81,13 +81,13 @@ Setting parse_setting(std::string_view text) {
   return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 
-void set_path(Node& root, const Setting& setting) {
+void set_path(TreeNode& root, const Setting& setting) {
   const auto source = std::make_shared<const std::string>("--set " + setting.path + "=" + setting.value);
   const Place flag{source, 0, 0};
   if (std::count(setting.path.begin(), setting.path.end(), '.') > kMostSteps) {
     refuse(flag, fmt::format("path is too long; allowed: {} steps", kMostSteps));
   }
-  Node* node = &root;
+  TreeNode* node = &root;
   for (std::size_t begin = 0; begin <= setting.path.size();) {
     const std::size_t end = std::min(setting.path.find('.', begin), setting.path.size());
     node = &step_into(*node, setting.path.substr(begin, end - begin), flag);

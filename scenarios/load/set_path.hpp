@@ -22,6 +22,6 @@ Setting parse_setting(std::string_view text);
 /// element or its index from 0. Maps that are missing on the way are made. VALUE is YAML.
 ///
 /// @throws InputError where a step meets a single value, or a list that has no such element.
-void set_path(Node& root, const Setting& setting);
+void set_path(TreeNode& root, const Setting& setting);
 
 }  // namespace scanbed::scenarios

@@ -8,7 +8,7 @@
 namespace scanbed::scenarios {
 
 Table::Table(const Value& value) : value_(value), taken_(value.node().entries.size(), false) {
-  if (value.node().kind != Node::Kind::kMap) value.refuse("expected a map of keys and values");
+  if (value.node().kind != TreeNode::Kind::kMap) value.refuse("expected a map of keys and values");
 }
 
 std::optional<Value> Table::take(std::string_view key) {

@@ -14,15 +14,15 @@
 namespace scanbed::scenarios {
 namespace {
 
-std::string_view name_of(Node::Kind kind) {
+std::string_view name_of(TreeNode::Kind kind) {
   switch (kind) {
-    case Node::Kind::kNothing:
+    case TreeNode::Kind::kNothing:
       return "nothing";
-    case Node::Kind::kScalar:
+    case TreeNode::Kind::kScalar:
       return "a single value";
-    case Node::Kind::kList:
+    case TreeNode::Kind::kList:
       return "a list";
-    case Node::Kind::kMap:
+    case TreeNode::Kind::kMap:
       return "a map";
   }
   return "";
@@ -55,7 +55,7 @@ void Value::refuse(std::string_view message) const {
 }
 
 const std::string& Value::scalar(std::string_view expected) const {
-  if (node_->kind != Node::Kind::kScalar) {
+  if (node_->kind != TreeNode::Kind::kScalar) {
     refuse(fmt::format("expected {}, found {}", expected, name_of(node_->kind)));
   }
   return node_->text;
@@ -123,12 +123,12 @@ std::size_t Value::choice(std::span<const std::string> words) const {
 }
 
 std::vector<Value> Value::items() const {
-  if (node_->kind != Node::Kind::kList) {
+  if (node_->kind != TreeNode::Kind::kList) {
     refuse(fmt::format("expected a list, found {}", name_of(node_->kind)));
   }
   std::vector<Value> items;
   items.reserve(node_->items.size());
-  for (const Node& item : node_->items) items.emplace_back(item, name_, *variables_);
+  for (const TreeNode& item : node_->items) items.emplace_back(item, name_, *variables_);
   return items;
 }
 

@@ -37,10 +37,10 @@ inline constexpr Allowed kAngle_deg{.least = -36'000.0, .greatest = 36'000.0};
 /// fit.
 class Value {
  public:
-  Value(const Node& node, std::string name, const Variables& variables)
+  Value(const TreeNode& node, std::string name, const Variables& variables)
       : node_(&node), name_(std::move(name)), variables_(&variables) {}
 
-  const Node& node() const { return *node_; }
+  const TreeNode& node() const { return *node_; }
   const std::string& name() const { return name_; }
   const Variables& variables() const { return *variables_; }
 
@@ -63,7 +63,7 @@ class Value {
   double variable(std::string_view name) const;
   double resolve(std::string_view expected) const;
 
-  const Node* node_;
+  const TreeNode* node_;
   std::string name_;
   const Variables* variables_;
 };

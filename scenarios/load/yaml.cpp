@@ -19,9 +19,9 @@
 namespace scanbed::scenarios {
 namespace {
 
-std::size_t count_nodes(const Node& node) {
+std::size_t count_nodes(const TreeNode& node) {
   std::size_t count = 1;
-  for (const Node& item : node.items) count += count_nodes(item);
+  for (const TreeNode& item : node.items) count += count_nodes(item);
   for (const NodeEntry& entry : node.entries) count += count_nodes(entry.value);
   return count;
 }
@@ -33,14 +33,14 @@ class TreeBuilder final : public YAML::EventHandler {
   TreeBuilder(std::shared_ptr<const std::string> source, const YamlLimits& limits)
       : source_(std::move(source)), limits_(limits) {}
 
-  Node take_root() { return std::move(root_); }
+  TreeNode take_root() { return std::move(root_); }
   Place place(const YAML::Mark& mark) const { return {source_, mark.line + 1, mark.column + 1}; }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    Node node;
+    TreeNode node;
     node.place = place(mark);
     finish(std::move(node), anchor);
   }
@@ -57,8 +57,8 @@ class TreeBuilder final : public YAML::EventHandler {
                 const std::string& value) override {
     // The parser marks a plain scalar with "?" and one in quotes with "!".
     if (!tag.empty() && tag != "?" && tag != "!") refuse(place(mark), "tags are not supported");
-    Node node;
-    node.kind = Node::Kind::kScalar;
+    TreeNode node;
+    node.kind = TreeNode::Kind::kScalar;
     node.place = place(mark);
     node.text = value;
     node.is_quoted = tag == "!";
@@ -67,25 +67,25 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
-    open({Node::Kind::kList, anchor, tag}, place(mark));
+    open({TreeNode::Kind::kList, anchor, tag}, place(mark));
   }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
-    open({Node::Kind::kMap, anchor, tag}, place(mark));
+    open({TreeNode::Kind::kMap, anchor, tag}, place(mark));
   }
   void OnSequenceEnd() override { close(); }
   void OnMapEnd() override { close(); }
 
  private:
   struct Opening {
-    Node::Kind kind;
+    TreeNode::Kind kind;
     YAML::anchor_t anchor;
     const std::string& tag;
   };
 
   // A list or map whose end has not come yet.
   struct Unfinished {
-    Node node;
+    TreeNode node;
     YAML::anchor_t anchor = 0;
     std::optional<std::pair<std::string, Place>> key;  // of a map: waits for its value
     std::map<std::string, int> line_of_key;
@@ -109,7 +109,7 @@ class TreeBuilder final : public YAML::EventHandler {
     finish(std::move(done.node), done.anchor);
   }
 
-  void finish(Node node, YAML::anchor_t anchor) {
+  void finish(TreeNode node, YAML::anchor_t anchor) {
     ++num_nodes_;
     check_size(node.place);
     if (anchor != 0) anchors_[anchor] = node;
@@ -117,10 +117,10 @@ class TreeBuilder final : public YAML::EventHandler {
     add(std::move(node), where);
   }
 
-  void add(Node node, const Place& where) {
+  void add(TreeNode node, const Place& where) {
     if (stack_.empty()) {
       root_ = std::move(node);
-    } else if (Unfinished& parent = stack_.back(); parent.node.kind == Node::Kind::kList) {
+    } else if (Unfinished& parent = stack_.back(); parent.node.kind == TreeNode::Kind::kList) {
       parent.node.items.push_back(std::move(node));
     } else if (parent.key) {
       parent.node.entries.push_back({parent.key->first, parent.key->second, std::move(node)});
@@ -130,8 +130,8 @@ class TreeBuilder final : public YAML::EventHandler {
     }
   }
 
-  static void add_key(Unfinished& parent, const Node& node, const Place& where) {
-    if (node.kind != Node::Kind::kScalar) refuse(where, "a key must be plain text");
+  static void add_key(Unfinished& parent, const TreeNode& node, const Place& where) {
+    if (node.kind != TreeNode::Kind::kScalar) refuse(where, "a key must be plain text");
     const auto [first, is_new] = parent.line_of_key.emplace(node.text, where.line);
     if (!is_new) {
       refuse(where, fmt::format("duplicate key {}; first on line {}", quote(node.text), first->second));
@@ -146,9 +146,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   std::shared_ptr<const std::string> source_;
   YamlLimits limits_;
-  Node root_;
+  TreeNode root_;
   std::vector<Unfinished> stack_;
-  std::map<YAML::anchor_t, Node> anchors_;
+  std::map<YAML::anchor_t, TreeNode> anchors_;
   std::size_t num_nodes_ = 0;
 };
 
@@ -173,14 +173,14 @@ std::string read_text(const std::filesystem::path& path, const YamlLimits& limit
 
 }  // namespace
 
-Node parse_yaml(std::string_view text, const std::string& source, const YamlLimits& limits) {
+TreeNode parse_yaml(std::string_view text, const std::string& source, const YamlLimits& limits) {
   if (text.size() > limits.max_bytes) refuse_size(source, limits);
   std::istringstream stream{std::string(text)};
   TreeBuilder builder(std::make_shared<const std::string>(source), limits);
   try {
     YAML::Parser parser(stream);
     parser.HandleNextDocument(builder);
-    Node root = builder.take_root();
+    TreeNode root = builder.take_root();
     TreeBuilder second(std::make_shared<const std::string>(source), limits);
     if (parser.HandleNextDocument(second)) {
       refuse(second.take_root().place, "a second document; a file holds one");
@@ -191,7 +191,7 @@ Node parse_yaml(std::string_view text, const std::string& source, const YamlLimi
   }
 }
 
-Node read_yaml(const std::filesystem::path& path, const YamlLimits& limits) {
+TreeNode read_yaml(const std::filesystem::path& path, const YamlLimits& limits) {
   return parse_yaml(read_text(path, limits), path.string(), limits);
 }
 

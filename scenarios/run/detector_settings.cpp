@@ -33,7 +33,7 @@ void set_at(const Place& place, DetectorOptions& options, const Value& value) {
   }
 }
 
-void apply(const Node& root, DetectorOptions& options) {
+void apply(const TreeNode& root, DetectorOptions& options) {
   const Variables none;
   Table table(Value(root, "detector configuration", none));
   for (const TableTwoEntry& entry : table_two()) {
@@ -53,7 +53,7 @@ DetectorOptions detector_options(const DetectorChoice& choice, std::span<const S
   DetectorOptions options = preset_options(choice.preset);
   if (choice.config) apply(read_yaml(*choice.config), options);
   for (const Setting& setting : settings) {
-    Node root;
+    TreeNode root;
     set_path(root, setting);
     apply(root, options);
   }

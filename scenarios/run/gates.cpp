@@ -42,7 +42,7 @@ std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metr
       return recall_in_band(score, metric);
     case Measure::kFalsePerScan:
       return scores.num_scans == 0 ? std::nullopt : std::optional(scores.false_per_scan(score));
-    case Measure::kRmsError_m:
+    case Measure::kRmsError:
       return tally.num_right == 0 ? std::nullopt : std::optional(tally.rms_error_m());
     case Measure::kNumTruths:
       return tally.num_truths;

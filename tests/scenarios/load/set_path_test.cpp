@@ -24,37 +24,37 @@ TEST(ParseSettingTest, RefusesWhatIsNoSetting) {
 }
 
 TEST(SetPathTest, ReplacesAValue) {
-  Node root = parse_yaml("seed: 1\nsensor: {height: 0.28}\n", "f");
+  TreeNode root = parse_yaml("seed: 1\nsensor: {height: 0.28}\n", "f");
   set_path(root, {"sensor.height", "0.3"});
-  const Node& height = root.entries[1].value.entries[0].value;
+  const TreeNode& height = root.entries[1].value.entries[0].value;
   EXPECT_EQ(height.text, "0.3");
   EXPECT_EQ(to_string(height.place), "--set sensor.height=0.3");
 }
 
 TEST(SetPathTest, MakesMapsThatAreMissing) {
-  Node root = parse_yaml("seed: 1\n", "f");
+  TreeNode root = parse_yaml("seed: 1\n", "f");
   set_path(root, {"sensor.noise.sigma", "0"});
   ASSERT_EQ(root.entries.size(), 2u);
   EXPECT_EQ(root.entries[1].value.entries[0].value.entries[0].value.text, "0");
 }
 
 TEST(SetPathTest, FindsListElementsByIdAndIndex) {
-  Node root = parse_yaml("world: [{id: a, r: 1}, {id: b, r: 2}]\n", "f");
+  TreeNode root = parse_yaml("world: [{id: a, r: 1}, {id: b, r: 2}]\n", "f");
   set_path(root, {"world.b.r", "3"});
   set_path(root, {"world.0.r", "4"});
-  const std::vector<Node>& items = root.entries[0].value.items;
+  const std::vector<TreeNode>& items = root.entries[0].value.items;
   EXPECT_EQ(items[0].entries[1].value.text, "4");
   EXPECT_EQ(items[1].entries[1].value.text, "3");
 }
 
 TEST(SetPathTest, TakesAnyYamlAsValue) {
-  Node root;
+  TreeNode root;
   set_path(root, {"robot.pose", "[0, 1, 90]"});
   EXPECT_EQ(root.entries[0].value.entries[0].value.items.size(), 3u);
 }
 
 TEST(SetPathTest, RefusesPathsThatLeadNowhere) {
-  Node root = parse_yaml("seed: 1\nworld: [{id: col_L}]\n", "f");
+  TreeNode root = parse_yaml("seed: 1\nworld: [{id: col_L}]\n", "f");
   EXPECT_EQ(error_of([&] {
               set_path(root, {"seed.x", "1"});
             }),

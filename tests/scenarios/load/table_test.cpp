@@ -14,7 +14,7 @@ using testing::error_of;
 const Variables kNone;
 
 TEST(TableTest, GivesValuesAndFallbacks) {
-  const Node root = parse_yaml("a: 1\nb: true\nc: x\n", "f");
+  const TreeNode root = parse_yaml("a: 1\nb: true\nc: x\n", "f");
   Table table(Value(root, "thing", kNone));
   EXPECT_EQ(table.number("a", 7.0), 1.0);
   EXPECT_EQ(table.number("z", 7.0), 7.0);
@@ -26,14 +26,14 @@ TEST(TableTest, GivesValuesAndFallbacks) {
 }
 
 TEST(TableTest, RefusesAKeyThatNobodyTook) {
-  const Node root = parse_yaml("radius: 1\nraduis: 2\n", "f");
+  const TreeNode root = parse_yaml("radius: 1\nraduis: 2\n", "f");
   Table table(Value(root, "thing", kNone));
   table.take("radius");
   EXPECT_EQ(error_of([&] { table.finish(); }), "f:2:1: unknown key 'raduis'; did you mean 'radius'?");
 }
 
 TEST(TableTest, ListsTheKnownKeysWhereNoneIsNear) {
-  const Node root = parse_yaml("friction: 2\n", "f");
+  const TreeNode root = parse_yaml("friction: 2\n", "f");
   Table table(Value(root, "thing", kNone));
   table.take("at");
   table.take("r");
@@ -41,13 +41,13 @@ TEST(TableTest, ListsTheKnownKeysWhereNoneIsNear) {
 }
 
 TEST(TableTest, SaysWhereAMissingKeyBelongs) {
-  const Node root = parse_yaml("x:\n  a: 1\n", "f");
+  const TreeNode root = parse_yaml("x:\n  a: 1\n", "f");
   Table table(Value(root.entries[0].value, "x", kNone));
   EXPECT_EQ(error_of([&] { table.need("at"); }), "f:2:3: x: missing key 'at'");
 }
 
 TEST(TableTest, RefusesWhatIsNoMap) {
-  const Node root = parse_yaml("[1]\n", "f");
+  const TreeNode root = parse_yaml("[1]\n", "f");
   EXPECT_EQ(error_of([&] { Table table(Value(root, "thing", kNone)); }),
             "f:1:1: thing: expected a map of keys and values");
 }

@@ -23,7 +23,7 @@ class Written {
   }
 
  private:
-  Node root_;
+  TreeNode root_;
   Variables variables_ = {{"R", 0.25}};
 };
 

@@ -16,14 +16,14 @@ std::string yaml_error(std::string_view text, const YamlLimits& limits = {}) {
 }
 
 TEST(ParseYamlTest, KeepsTextPlaceAndOrder) {
-  const Node root = parse_yaml("b: 012\na: [no, 'no', \"1\"]\n", "f");
-  ASSERT_EQ(root.kind, Node::Kind::kMap);
+  const TreeNode root = parse_yaml("b: 012\na: [no, 'no', \"1\"]\n", "f");
+  ASSERT_EQ(root.kind, TreeNode::Kind::kMap);
   ASSERT_EQ(root.entries.size(), 2u);
   EXPECT_EQ(root.entries[0].key, "b");
   EXPECT_EQ(root.entries[0].value.text, "012");  // neither 10 nor 12: text until somebody reads it
   EXPECT_EQ(to_string(root.entries[0].value.place), "f:1:4");
   EXPECT_EQ(to_string(root.entries[1].place), "f:2:1");
-  const Node& list = root.entries[1].value;
+  const TreeNode& list = root.entries[1].value;
   ASSERT_EQ(list.items.size(), 3u);
   EXPECT_FALSE(list.items[0].is_quoted);
   EXPECT_TRUE(list.items[1].is_quoted);
@@ -32,13 +32,13 @@ TEST(ParseYamlTest, KeepsTextPlaceAndOrder) {
 }
 
 TEST(ParseYamlTest, ReadsAnEmptyTextAsNothing) {
-  EXPECT_EQ(parse_yaml("", "f").kind, Node::Kind::kNothing);
-  EXPECT_EQ(parse_yaml("# only a comment\n", "f").kind, Node::Kind::kNothing);
-  EXPECT_EQ(parse_yaml("a:\n", "f").entries[0].value.kind, Node::Kind::kNothing);
+  EXPECT_EQ(parse_yaml("", "f").kind, TreeNode::Kind::kNothing);
+  EXPECT_EQ(parse_yaml("# only a comment\n", "f").kind, TreeNode::Kind::kNothing);
+  EXPECT_EQ(parse_yaml("a:\n", "f").entries[0].value.kind, TreeNode::Kind::kNothing);
 }
 
 TEST(ParseYamlTest, CopiesAnAlias) {
-  const Node root = parse_yaml("a: &x [1, 2]\nb: *x\n", "f");
+  const TreeNode root = parse_yaml("a: &x [1, 2]\nb: *x\n", "f");
   ASSERT_EQ(root.entries[1].value.items.size(), 2u);
   EXPECT_EQ(root.entries[1].value.items[1].text, "2");
 }
@@ -97,7 +97,7 @@ RC_GTEST_PROP(ParseYamlTest, ParsesOrRefusesAnyText, (const std::string& text)) 
 TEST(ReadYamlTest, ReadsAFile) {
   const testing::TemporaryFolder folder;
   const auto path = testing::write_file(folder / "a.yaml", "a: 1\n");
-  const Node root = read_yaml(path);
+  const TreeNode root = read_yaml(path);
   EXPECT_EQ(to_string(root.entries[0].value.place), path.string() + ":1:4");
 }
 
