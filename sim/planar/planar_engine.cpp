@@ -8,8 +8,7 @@
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
 #include "sim/planar/floor_physics.hpp"
-#include "sim/world/drive_plan.hpp"
-#include "sim/world/gait.hpp"
+#include "sim/world/world_script.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -29,13 +28,11 @@ const World& validated(const World& world) {
 
 struct PlanarEngine::Impl {
   explicit Impl(const World& world);
-  void follow_script(double time_s, WorldState& out) const;
   void step_physics();
   void place_tows();
 
   Pose2 X_RS;
-  DrivePlan drive;
-  std::vector<Gait> gaits;
+  WorldScript script;
   SliceObjects slice_objects;
   std::optional<FloorPhysics> physics;  ///< only where something is towed
   std::int64_t num_substeps = 0;
@@ -45,15 +42,9 @@ struct PlanarEngine::Impl {
   PlanarSlice slice;
 };
 
-PlanarEngine::Impl::Impl(const World& world)
-    : X_RS(world.robot.X_RS), drive(world.robot), slice_objects(world) {
-  bool tows = false;
-  for (std::size_t i = 0; i < world.walkers.size(); ++i) {
-    gaits.emplace_back(world.walkers[i], static_cast<int>(i), world.robot.laser_height_m);
-    tows = tows || world.walkers[i].tow.has_value();
-  }
-  follow_script(0.0, state);
-  if (tows) {
+PlanarEngine::Impl::Impl(const World& world) : X_RS(world.robot.X_RS), script(world), slice_objects(world) {
+  script.follow(0.0, state);
+  if (script.has_tows()) {
     physics.emplace(world, state);
     physics->step_to(state);
   }
@@ -62,17 +53,10 @@ PlanarEngine::Impl::Impl(const World& world)
   slice_objects.slice_at(state, slice);
 }
 
-void PlanarEngine::Impl::follow_script(double time_s, WorldState& out) const {
-  out.time_s = time_s;
-  out.X_WR = drive.pose_at(time_s);
-  out.walkers.resize(gaits.size());
-  for (std::size_t i = 0; i < gaits.size(); ++i) out.walkers[i] = gaits[i].state_at(time_s);
-}
-
 void PlanarEngine::Impl::step_physics() {
   ++num_substeps;
   std::swap(before, behind);
-  follow_script(static_cast<double>(num_substeps) / kSubsteps_per_s, behind);
+  script.follow(static_cast<double>(num_substeps) / kSubsteps_per_s, behind);
   physics->step_to(behind);
 }
 
@@ -94,7 +78,7 @@ PlanarEngine::~PlanarEngine() = default;
 
 void PlanarEngine::advance_to(double time_s) {
   SCANBED_ENSURE(std::isfinite(time_s) && time_s >= impl_->state.time_s);
-  impl_->follow_script(time_s, impl_->state);
+  impl_->script.follow(time_s, impl_->state);
   if (impl_->physics) {
     while (impl_->behind.time_s < time_s) impl_->step_physics();
     impl_->place_tows();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/errors/ensure.hpp"
 #include "core/scan/truth.hpp"
@@ -110,6 +111,7 @@ void RayCaster::cast(const PlanarSlice& slice, const Pose2& X_LS) {
   std::fill(inverse_range_.begin(), inverse_range_.end(), 0.0);
   std::fill(winner_.begin(), winner_.end(), kNobody);
   shapes_.clear();
+  arcs_.clear();
   const Vector2d x_axis = X_LS.heading();
   const Vector2d y_axis(-x_axis.y(), x_axis.x());
   const auto to_sensor = [&](const Vector2d& p_LQ) {
@@ -118,14 +120,20 @@ void RayCaster::cast(const PlanarSlice& slice, const Pose2& X_LS) {
   };
   for (const SliceSegment& segment : slice.segments) {
     const auto shape = static_cast<double>(shapes_.size());
-    shapes_.push_back({Vector2d::Zero(), 0.0, segment.object, false});
+    shapes_.push_back({Vector2d::Zero(), 0.0, segment.object, false, segment.steepness_ratio});
     cast_segment(to_sensor(segment.a_m), to_sensor(segment.b_m), shape);
   }
   for (const SliceDisc& disc : slice.discs) {
     const auto shape = static_cast<double>(shapes_.size());
     const Vector2d p_SC = to_sensor(disc.center_m);
-    shapes_.push_back({p_SC, disc.radius_m, disc.object, true});
+    shapes_.push_back({p_SC, disc.radius_m, disc.object, true, disc.steepness_ratio});
     cast_disc(p_SC, disc.radius_m, shape);
+  }
+  for (const SliceArc& arc : slice.arcs) {
+    const auto shape = static_cast<double>(shapes_.size());
+    shapes_.push_back({Vector2d::Zero(), 0.0, arc.object, true, 1.0, static_cast<int>(arcs_.size())});
+    arcs_.emplace_back(arc, X_LS);
+    cast_arc(arcs_.back(), shape);
   }
   for (std::size_t i = 0; i < range_m_.size(); ++i) range_m_[i] = 1.0 / inverse_range_[i];
 }
@@ -214,6 +222,22 @@ void RayCaster::cast_from_inside_disc(const Vector2d& p_SC, double radius_m, dou
   }
 }
 
+void RayCaster::cast_arc(const ArcInBeams& arc, double shape) {
+  const Beams beams{ux_.data(), uy_.data(), inverse_range_.data(), winner_.data()};
+  const auto cover_run = [&](BeamRun run) {
+    for (int i = run.first; i <= run.last; ++i) {
+      keep_nearer(beams, i, arc.inverse_range({ux_[i], uy_[i]}), shape);
+    }
+  };
+  const std::optional<ArcInBeams::Wedge> wedge = arc.wedge();
+  if (!wedge) {
+    cover_run({0, num_beams() - 1});
+    return;
+  }
+  const Spans spans = spans_between(wedge->right, wedge->left);
+  for (int k = 0; k < spans.count; ++k) cover_run({spans.span[k].first, spans.span[k].last});
+}
+
 int RayCaster::object(int i) const {
   return winner_[i] == kNobody ? kNoObject : shapes_[static_cast<std::size_t>(winner_[i])].object;
 }
@@ -223,10 +247,15 @@ double RayCaster::incidence_rad(int i) const {
   const Shape& shape = shapes_[static_cast<std::size_t>(winner_[i])];
   if (!shape.is_disc) {
     // A wall that the sensor stands on has no direction left to look at it from.
-    return range_m_[i] == 0.0 ? 0.0 : std::acos(std::min(1.0, shape.size_m * inverse_range_[i]));
+    if (range_m_[i] == 0.0) return 0.0;
+    return std::acos(std::min(1.0, shape.steepness_ratio * shape.size_m * inverse_range_[i]));
+  }
+  if (shape.arc >= 0) {
+    return std::acos(arcs_[shape.arc].cos_incidence({ux_[i], uy_[i]}, inverse_range_[i]));
   }
   const double sine = std::abs(cross(shape.center_m, Vector2d(ux_[i], uy_[i]))) / shape.size_m;
-  return std::asin(std::min(1.0, sine));
+  if (shape.steepness_ratio == 1.0) return std::asin(std::min(1.0, sine));
+  return std::acos(shape.steepness_ratio * std::sqrt(std::max(0.0, 1.0 - sine * sine)));
 }
 
 double RayCaster::cos_incidence(int i) const {

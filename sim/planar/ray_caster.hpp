@@ -8,6 +8,7 @@
 
 #include "core/geometry/pose2.hpp"
 #include "core/scan/scan_geometry.hpp"
+#include "sim/planar/arc_in_beams.hpp"
 #include "sim/planar/planar_slice.hpp"
 
 namespace scanbed::sim {
@@ -57,6 +58,8 @@ class RayCaster {
     double size_m;             ///< disc: radius; wall: distance of its line from the sensor
     int object;
     bool is_disc;
+    double steepness_ratio;
+    int arc = -1;  ///< index into arcs_, where it is one
   };
   /// Beams that a shape may cover, both ends included, and those in the middle that it surely covers.
   struct Span {
@@ -72,6 +75,7 @@ class RayCaster {
   void cast_from_inside_wall(double shape);
   void cast_disc(const Eigen::Vector2d& p_SC, double radius_m, double shape);
   void cast_from_inside_disc(const Eigen::Vector2d& p_SC, double radius_m, double shape);
+  void cast_arc(const ArcInBeams& arc, double shape);
   Spans spans_between(const Eigen::Vector2d& p_SR, const Eigen::Vector2d& p_SL) const;
 
   BeamSubset subset_;
@@ -84,6 +88,7 @@ class RayCaster {
   std::vector<double> winner_;         ///< index into shapes_, as a double so that loops vectorise; or -1
   std::vector<double> range_m_;
   std::vector<Shape> shapes_;
+  std::vector<ArcInBeams> arcs_;
 };
 
 }  // namespace scanbed::sim

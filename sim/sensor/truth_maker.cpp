@@ -48,6 +48,7 @@ void TruthMaker::add_piece(BeamSubset beams, const PlanarSlice& slice, const Pos
   const Pose2 X_SL = X_LS.inverse();
   for (const SliceSegment& s : slice.segments) places[s.object] = {X_SL * s.a_m, X_SL * s.b_m};
   for (const SliceDisc& d : slice.discs) places[d.object].a_m = X_SL * d.center_m;
+  for (const SliceArc& a : slice.arcs) places[a.object].a_m = X_SL * a.center_m;
   const int num_beams = static_cast<int>(piece_of_beam_.size());
   for (int i = 0, beam = beams.first; i < beams.count && beam < num_beams; ++i, beam += beams.stride) {
     piece_of_beam_[beam] = piece;
