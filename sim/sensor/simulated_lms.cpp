@@ -7,8 +7,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "core/score/visibility.hpp"
-#include "sim/engine/engine.hpp"
-#include "sim/planar/planar_engine.hpp"
+#include "sim/engine/make_engine.hpp"
 #include "sim/planar/ray_caster.hpp"
 #include "sim/planar/spot_caster.hpp"
 #include "sim/sensor/sensor_model.hpp"
@@ -103,7 +102,7 @@ struct SimulatedLms::Impl {
 SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
     : options(validated(given)),
       world(std::move(description)),
-      engine(std::make_unique<PlanarEngine>(world)),
+      engine(make_engine(world, options.backend)),
       geometry(geometry_of(options.lms)),
       model(options.lms, options.seed, materials_of(*engine)),
       pieces(pieces_of(options.lms, geometry, moves(world))),

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/scan/range_sensor.hpp"
+#include "sim/engine/make_engine.hpp"
 #include "sim/sensor/lms_options.hpp"
 #include "sim/world/world.hpp"
 #include "sim/world/world_state.hpp"
@@ -15,9 +16,11 @@ struct SimulationOptions {
   LmsOptions lms;
   double duration_s = 10.0;  ///< the stream ends after the last scan that starts before it
   std::uint64_t seed = 1;
+  Backend backend = Backend::kPlanar;
 };
 
-/// A simulated LMS 200 in a planar world: world -> ideal returns -> LMS model -> 13-bit words -> LaserScan.
+/// A simulated LMS 200 in a world of either engine: world -> ideal returns -> LMS model -> 13-bit words ->
+/// LaserScan.
 class SimulatedLms final : public RangeSensor {
  public:
   /// @throws InputError where world or options do not validate.

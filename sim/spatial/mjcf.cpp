@@ -14,6 +14,8 @@
 namespace scanbed::sim {
 namespace {
 
+constexpr double kTimeStep_s = 1.0 / 300.0;  // as in the planar engine
+
 // MuJoCo's defaults are made for a dark stage; here most of the light comes from everywhere, and one lamp
 // draws the shadows.
 void add_look(pugi::xml_node root, const Eigen::AlignedBox3d& bounds) {
@@ -88,14 +90,20 @@ void add_floor(pugi::xml_node asset, pugi::xml_node worldbody, const Eigen::Alig
       .set("type", "plane")
       .set("pos", {x0_m + half_x_m, y0_m + half_y_m, 0.0})
       .set("size", {half_x_m, half_y_m, 1.0})
-      .set("material", "floor");
+      .set("material", "floor")
+      .set_role(kPictureScripted);
+  MjcfElement(worldbody, "geom")
+      .set("name", kLaserFloorGeom)
+      .set("type", "plane")
+      .set("size", {0.0, 0.0, 1.0})  // without end
+      .set_role(kLaserOnly);
 }
 
 void add_actors(const World& world, pugi::xml_node worldbody, pugi::xml_node tendon) {
   add_robot(world.robot, worldbody);
   for (int i = 0; i < static_cast<int>(world.walkers.size()); ++i) {
     add_walker(world.walkers[i], i, worldbody);
-    if (world.walkers[i].tow) add_tow(*world.walkers[i].tow, worldbody, tendon);
+    if (world.walkers[i].tow) add_tow(*world.walkers[i].tow, world.walkers[i], worldbody, tendon);
   }
 }
 
@@ -106,6 +114,9 @@ std::string mjcf_of(const World& world) {
   pugi::xml_document document;
   const pugi::xml_node root = MjcfElement(document, "mujoco").set("model", "scanbed").node();
   MjcfElement(root, "compiler").set("angle", "radian");
+  // The elliptic cone is the round one of Coulomb's law; a high ratio keeps what friction holds from
+  // creeping.
+  MjcfElement(root, "option").set("timestep", {kTimeStep_s}).set("cone", "elliptic").set("impratio", {10.0});
   add_look(root, bounds);
   const pugi::xml_node asset = MjcfElement(root, "asset").node();
   const pugi::xml_node worldbody = MjcfElement(root, "worldbody").node();

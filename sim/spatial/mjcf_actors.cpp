@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/spatial/mjcf_actors.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
 #include "sim/spatial/appearance.hpp"
+#include "sim/spatial/laser_mount.hpp"
 #include "sim/spatial/mjcf_element.hpp"
 #include "sim/spatial/part_names.hpp"
 #include "sim/spatial/walker_body.hpp"
@@ -22,9 +24,11 @@ struct Capsule {
   double radius_m;
 };
 
-void add_capsule(pugi::xml_node body, const Capsule& capsule, const Rgb& color) {
+void add_capsule(pugi::xml_node body, const Capsule& capsule, const Rgb& color,
+                 const GeomRole& role = kSeenOnly) {
   MjcfElement(body, "geom")
       .set("type", "capsule")
+      .set_role(role)
       .set("fromto", {capsule.from_m.x(), capsule.from_m.y(), capsule.from_m.z(), capsule.to_m.x(),
                       capsule.to_m.y(), capsule.to_m.z()})
       .set("size", {capsule.radius_m})
@@ -35,6 +39,7 @@ void add_ellipsoid(pugi::xml_node body, const Eigen::Vector3d& p_BC, const Eigen
                    const Rgb& color) {
   MjcfElement(body, "geom")
       .set("type", "ellipsoid")
+      .set_role(kSeenOnly)
       .set("pos", {p_BC.x(), p_BC.y(), p_BC.z()})
       .set("size", {half_m.x(), half_m.y(), half_m.z()})
       .set_color(color);
@@ -67,7 +72,8 @@ void add_leg(const Walker& walker, const std::string& side, const Rgb& trousers,
   add_ellipsoid(add_mocap_body(worldbody, walker_name(walker.id, side + "_foot")), {0.05, 0.0, 0.04},
                 {0.13, 0.045, 0.045}, kShoeColor);
   add_capsule(add_mocap_body(worldbody, walker_name(walker.id, side + "_shank")),
-              {{0.0, 0.0, std::min(0.08, 0.5 * body.shank_m)}, {0.0, 0.0, body.shank_m}, r_m}, trousers);
+              {{0.0, 0.0, std::min(0.08, 0.5 * body.shank_m)}, {0.0, 0.0, body.shank_m}, r_m}, trousers,
+              kSeenScripted);
   add_capsule(add_mocap_body(worldbody, walker_name(walker.id, side + "_thigh")),
               {{0.0, 0.0, 0.0}, {0.0, 0.0, body.thigh_m}, 1.15 * r_m}, trousers);
 }
@@ -81,28 +87,33 @@ void add_robot(const Robot& robot, pugi::xml_node worldbody) {
   const double floor_gap_m = 0.03;
   MjcfElement(body, "geom")
       .set("type", "cylinder")
+      .set_role(kPictureScripted)
       .set("pos", {0.0, 0.0, 0.5 * (floor_gap_m + deck_m)})
       .set("size", {robot.radius_m, 0.5 * (deck_m - floor_gap_m)})
       .set_color(kRobotColor);
   for (const double side : {-1.0, 1.0}) {
     MjcfElement(body, "geom")
         .set("type", "cylinder")
+        .set_role(kPictureOnly)
         .set("pos", {0.0, side * 0.95 * robot.radius_m, 0.08})
         .set("euler", {0.5 * kPi, 0.0, 0.0})
         .set("size", {0.08, 0.02})
         .set_color(0.5 * kShoeColor);
   }
+  const Eigen::Quaterniond turn(laser_turn(robot));
   const pugi::xml_node laser = MjcfElement(body, "body")
                                    .set("name", "laser")
                                    .set("pos", {robot.X_RS.p_m.x(), robot.X_RS.p_m.y(), robot.laser_height_m})
-                                   .set("euler", {0.0, 0.0, robot.X_RS.theta_rad})
+                                   .set("quat", {turn.w(), turn.x(), turn.y(), turn.z()})
                                    .node();
   MjcfElement(laser, "geom")
       .set("type", "box")
+      .set_role(kPictureOnly)
       .set("size", {kCubeHalf_m, kCubeHalf_m, kCubeHalf_m})
       .set_color(kLaserColor);
   MjcfElement(laser, "geom")
       .set("type", "cylinder")
+      .set_role(kPictureOnly)
       .set("pos", {0.03, 0.0, 0.0})
       .set("size", {0.07, 0.025})
       .set_color(kRobotColor);
@@ -115,22 +126,47 @@ void add_walker(const Walker& walker, int index, pugi::xml_node worldbody) {
   add_leg(walker, "right", colors.trousers, worldbody);
 }
 
-void add_tow(const Tow& tow, pugi::xml_node worldbody, pugi::xml_node tendon) {
-  MjcfElement(add_mocap_body(worldbody, tow_name(tow.id, "cylinder")), "geom")
+double rope_height_m(const Tow& tow, const Walker& walker) {
+  // Pulled at height h with mu m g, a cylinder tips about its edge where mu h > r; the rest is reserve.
+  const double steady_m = tow.friction > 0.0 ? 0.6 * tow.radius_m / tow.friction : walker.leg_length_m;
+  return std::min({0.7 * tow.height_m, walker.leg_length_m, steady_m});
+}
+
+void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pugi::xml_node tendon) {
+  constexpr double kRopeEnd_kg = 1e5;  // against it the pull of any rope is nothing
+  const double knot_m = rope_height_m(tow, walker);
+  const pugi::xml_node cylinder =
+      MjcfElement(worldbody, "body").set("name", tow_name(tow.id, "cylinder")).node();
+  MjcfElement(cylinder, "freejoint");
+  MjcfElement(cylinder, "geom")
       .set("type", "cylinder")
+      .set_role(kSeenPulled)
       .set("pos", {0.0, 0.0, 0.5 * tow.height_m})
       .set("size", {tow.radius_m, 0.5 * tow.height_m})
+      .set("mass", {tow.mass_kg})
+      .set("friction", {tow.friction, 0.0, 0.0})
       .set_color(kTowColor);
+  const std::string knot = tow_name(tow.id, "cylinder_end");
+  MjcfElement(cylinder, "site").set("name", knot).set("pos", {0.0, 0.0, knot_m}).set("size", {0.012});
+  const std::string end = tow_name(tow.id, "walker_end");
+  const pugi::xml_node hand = MjcfElement(worldbody, "body").set("name", end).node();
+  MjcfElement(hand, "inertial")
+      .set("pos", {0.0, 0.0, 0.0})
+      .set("mass", {kRopeEnd_kg})
+      .set("diaginertia", {1.0, 1.0, 1.0});
+  MjcfElement(hand, "joint").set("type", "slide").set("axis", {1.0, 0.0, 0.0});
+  MjcfElement(hand, "joint").set("type", "slide").set("axis", {0.0, 1.0, 0.0});
+  MjcfElement(hand, "joint").set("type", "slide").set("axis", {0.0, 0.0, 1.0});
+  MjcfElement(hand, "site").set("name", end).set("size", {0.012});
   const pugi::xml_node rope = MjcfElement(tendon, "spatial")
                                   .set("name", tow_name(tow.id, "rope"))
+                                  .set("limited", "true")
+                                  .set("range", {0.0, tendon_m(tow)})
                                   .set("width", {0.012})
                                   .set_color(kRopeColor)
                                   .node();
-  for (const char* end : {"walker_end", "cylinder_end"}) {
-    const std::string name = tow_name(tow.id, end);
-    MjcfElement(add_mocap_body(worldbody, name), "site").set("name", name).set("size", {0.012});
-    MjcfElement(rope, "site").set("site", name);
-  }
+  MjcfElement(rope, "site").set("site", end);
+  MjcfElement(rope, "site").set("site", knot);
 }
 
 }  // namespace scanbed::sim

@@ -30,4 +30,12 @@ MjcfElement& MjcfElement::set_color(const Rgb& color) {
   return set("rgba", {color.x(), color.y(), color.z(), 1.0});
 }
 
+MjcfElement& MjcfElement::set_role(const GeomRole& role) {
+  set("group", {static_cast<double>(role.group)});
+  set("contype", {static_cast<double>(role.contype)});
+  // Of two geoms MuJoCo takes the greater friction: that of the towed cylinder.
+  if (role.contype == 1) set("friction", {0.0, 0.0, 0.0});
+  return set("conaffinity", {static_cast<double>(role.conaffinity)});
+}
+
 }  // namespace scanbed::sim

@@ -27,17 +27,18 @@ class SolidWriter {
       const Eigen::Vector2d to_m = chain.corners_m[(n + 1) % num_corners];
       const Eigen::Vector2d along = (to_m - from_m).normalized();
       add_wall(n, from_m - before_m * along, to_m + after_m * along);
+      add_sheet(n, from_m, to_m);
     }
   }
 
   void operator()(const Cylinder& cylinder) const {
-    geom(0, "cylinder")
+    geom(0, "cylinder", kSeenScripted)
         .set("pos", {cylinder.center_m.x(), cylinder.center_m.y(), mid_m()})
         .set("size", {cylinder.radius_m, half_height_m()});
   }
 
   void operator()(const Box& box) const {
-    geom(0, "box")
+    geom(0, "box", kSeenScripted)
         .set("pos", {box.X_WB.p_m.x(), box.X_WB.p_m.y(), mid_m()})
         .set("euler", {0.0, 0.0, box.X_WB.theta_rad})
         .set("size", {0.5 * box.size_m.x(), 0.5 * box.size_m.y(), half_height_m()});
@@ -48,25 +49,39 @@ class SolidWriter {
         .set("name", solid_name(solid_.id, 0))
         .set("vertex", prism_vertices(polygon))
         .set("face", prism_faces(static_cast<int>(polygon.corners_m.size())));
-    geom(0, "mesh").set("mesh", solid_name(solid_.id, 0));
+    geom(0, "mesh", kSeenScripted).set("mesh", solid_name(solid_.id, 0));
   }
 
  private:
   double mid_m() const { return 0.5 * (solid_.bottom_m + solid_.top_m); }
   double half_height_m() const { return 0.5 * (solid_.top_m - solid_.bottom_m); }
 
-  MjcfElement geom(int n, const char* type) const {
+  MjcfElement geom(int n, const char* type, const GeomRole& role) const {
     MjcfElement element(worldbody_, "geom");
-    return element.set("name", solid_name(solid_.id, n)).set("type", type).set_color(solid_color(solid_));
+    return element.set("name", solid_name(solid_.id, n))
+        .set("type", type)
+        .set_color(solid_color(solid_))
+        .set_role(role);
   }
 
   void add_wall(int n, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
+    MjcfElement wall = geom(n, "box", kPictureScripted);
+    shape_wall(wall, from_m, to_m, kWallThickness_m);
+  }
+
+  void add_sheet(int n, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const {
+    MjcfElement wall(worldbody_, "geom");
+    wall.set("name", sheet_name(solid_.id, n)).set("type", "box").set_role(kLaserOnly);
+    shape_wall(wall, from_m, to_m, kSheetThickness_m);
+  }
+
+  void shape_wall(MjcfElement& wall, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m,
+                  double thickness_m) const {
     const Eigen::Vector2d middle_m = 0.5 * (from_m + to_m);
     const Eigen::Vector2d along_m = to_m - from_m;
-    geom(n, "box")
-        .set("pos", {middle_m.x(), middle_m.y(), mid_m()})
+    wall.set("pos", {middle_m.x(), middle_m.y(), mid_m()})
         .set("euler", {0.0, 0.0, std::atan2(along_m.y(), along_m.x())})
-        .set("size", {0.5 * along_m.norm(), 0.5 * kWallThickness_m, half_height_m()});
+        .set("size", {0.5 * along_m.norm(), 0.5 * thickness_m, half_height_m()});
   }
 
   // The outline at the bottom, then the outline at the top.

@@ -29,6 +29,10 @@ std::string solid_name(std::string_view id, int n) {
   return join("solid", id, std::to_string(n));
 }
 
+std::string sheet_name(std::string_view id, int n) {
+  return join("solid", id, std::to_string(n) + ".sheet");
+}
+
 std::string walker_name(std::string_view id, std::string_view part) {
   return join("walker", id, part);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -41,12 +42,27 @@ TEST_F(MjcfActorsTest, ShankAndThighMakeUpTheLeg) {
   EXPECT_DOUBLE_EQ(body.shank_m + body.thigh_m, 0.9);
 }
 
-TEST_F(MjcfActorsTest, TheRopeJoinsTheTwoEndsOfATow) {
-  add_tow({.id = "cyl", .radius_m = 0.3, .height_m = 1.2}, worldbody_, tendon_);
-  EXPECT_STREQ(body(tow_name("cyl", "cylinder")).child("geom").attribute("size").value(), "0.3 0.6");
+TEST_F(MjcfActorsTest, TheRopeIsATendonAsLongAsRopeAndRadius) {
+  const Walker walker{.id = "ann"};
+  add_tow({.id = "cyl", .radius_m = 0.3, .height_m = 1.2, .rope_m = 0.9}, walker, worldbody_, tendon_);
+  const pugi::xml_node cylinder = body(tow_name("cyl", "cylinder"));
+  EXPECT_STREQ(cylinder.child("geom").attribute("size").value(), "0.3 0.6");
+  EXPECT_TRUE(cylinder.child("freejoint"));
   const pugi::xml_node rope = tendon_.child("spatial");
+  EXPECT_STREQ(rope.attribute("range").value(), "0 1.2");
   EXPECT_STREQ(rope.first_child().attribute("site").value(), tow_name("cyl", "walker_end").c_str());
   EXPECT_STREQ(rope.last_child().attribute("site").value(), tow_name("cyl", "cylinder_end").c_str());
+}
+
+// Pulled by mu m g at height h, it tips about its edge where mu h > r.
+TEST_F(MjcfActorsTest, RopesAreTiedSoLowThatNothingTips) {
+  const Walker walker{.id = "ann", .leg_length_m = 0.9};
+  for (const double friction : {0.0, 0.1, 0.5, 2.0}) {
+    const double height_m = rope_height_m({.id = "cyl", .radius_m = 0.2, .friction = friction}, walker);
+    EXPECT_LT(friction * height_m, 0.2);
+    EXPECT_GT(height_m, 0.0);
+    EXPECT_LE(height_m, 0.7);  // of 1 m
+  }
 }
 
 TEST_F(MjcfActorsTest, TheLaserSitsOnTheRobotAtItsHeight) {
@@ -56,7 +72,14 @@ TEST_F(MjcfActorsTest, TheLaserSitsOnTheRobotAtItsHeight) {
   add_robot(robot, worldbody_);
   const pugi::xml_node laser = body("robot").child("body");
   EXPECT_STREQ(laser.attribute("pos").value(), "0.1 0.02 0.35");
-  EXPECT_STREQ(laser.attribute("euler").value(), "0 0 0.5");
+  double w = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  std::istringstream(laser.attribute("quat").value()) >> w >> x >> y >> z;
+  EXPECT_NEAR(w, std::cos(0.25), 1e-12);
+  EXPECT_NEAR(std::hypot(x, y), 0.0, 1e-12);
+  EXPECT_NEAR(z, std::sin(0.25), 1e-12);
 }
 
 }  // namespace

@@ -38,5 +38,17 @@ TEST(MjcfElementTest, AttributesAreEscaped) {
   EXPECT_STREQ(again.child("geom").attribute("rgba").value(), "0.5 0.25 1 1");
 }
 
+TEST(MjcfElementTest, WhatIsPulledMeetsTheScriptedAndItsLikeButTheScriptedDoNotMeet) {
+  const auto meet = [](const GeomRole& a, const GeomRole& b) {
+    return (a.contype & b.conaffinity) != 0 || (b.contype & a.conaffinity) != 0;  // MuJoCo's rule
+  };
+  EXPECT_TRUE(meet(kSeenPulled, kSeenScripted));
+  EXPECT_TRUE(meet(kSeenPulled, kPictureScripted));
+  EXPECT_TRUE(meet(kSeenPulled, kSeenPulled));
+  EXPECT_FALSE(meet(kSeenScripted, kPictureScripted));
+  EXPECT_FALSE(meet(kSeenPulled, kLaserOnly));
+  EXPECT_FALSE(meet(kSeenPulled, kSeenOnly));
+}
+
 }  // namespace
 }  // namespace scanbed::sim

@@ -74,6 +74,15 @@ TEST_F(MjcfSolidsTest, AClosedChainHasAWallBackToItsBeginning) {
   expect_numbers(geom(2).attribute("pos"), {2.0, 1.5, 0.7});
 }
 
+TEST_F(MjcfSolidsTest, TheLaserMeetsTheLineOfAWallAndPicturesDoNotShowIt) {
+  add(WallChain{{{0, 0}, {4, 0}, {4, 3}}});
+  const pugi::xml_node sheet = worldbody_.find_child_by_attribute("geom", "name", sheet_name("s", 1).c_str());
+  expect_numbers(sheet.attribute("pos"), {4.0, 1.5, 0.7});
+  expect_numbers(sheet.attribute("size"), {1.5, 0.5 * kSheetThickness_m, 0.3});
+  EXPECT_STREQ(sheet.attribute("group").value(), "3");
+  EXPECT_STREQ(geom(1).attribute("group").value(), "1");
+}
+
 // Volume by the divergence theorem: right only if every face is there and turns outwards.
 TEST_F(MjcfSolidsTest, APolygonBecomesAPrismOfTheRightVolume) {
   add(Polygon{{{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 1}}});

@@ -31,8 +31,8 @@ TEST(MjcfTest, TheHallBecomesAModelWithEveryThingInIt) {
     EXPECT_GE(geom_id(*model, solid_name(id, 0)), 0) << id;
   }
   EXPECT_EQ(model->ntendon, 1);
-  EXPECT_EQ(model->nmocap, 1 + 2 * 7 + 3);  // robot, two walkers of seven parts, cylinder and rope's ends
-  EXPECT_EQ(model->nv, 0);                  // nothing moves of itself yet
+  EXPECT_EQ(model->nmocap, 1 + 2 * 7);  // robot, two walkers of seven parts
+  EXPECT_EQ(model->nv, 6 + 3);          // the cylinder, and its rope's other end
 }
 
 TEST(MjcfTest, AnEmptyWorldIsAFloorAndARobot) {
