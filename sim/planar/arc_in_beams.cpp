@@ -82,4 +82,19 @@ std::optional<ArcInBeams::Wedge> ArcInBeams::wedge() const {
   return Wedge{back(tangent * mapped - across), back(tangent * mapped + across)};
 }
 
+ArcInBeams ArcInBeams::seen_from(const Vector2d& p_SO) const {
+  ArcInBeams seen = *this;
+  seen.slope_ += form_ * p_SO;
+  seen.gamma_ += 2.0 * slope_.dot(p_SO) + p_SO.dot(form_ * p_SO);
+  seen.from_ -= along_.dot(p_SO);
+  seen.to_ -= along_.dot(p_SO);
+  return seen;
+}
+
+// There the roots are one: 1 / t = -beta / gamma, for the length of u as it is.
+Vector2d ArcInBeams::touch_m(const Vector2d& u) const {
+  const double beta = u.dot(slope_);
+  return beta < 0.0 ? Vector2d(-gamma_ / beta * u) : u;
+}
+
 }  // namespace scanbed::sim

@@ -29,6 +29,12 @@ class ArcInBeams {
   };
   std::optional<Wedge> wedge() const;
 
+  /// The same arc from a sensor that stands at p_SO, turned as before.
+  ArcInBeams seen_from(const Eigen::Vector2d& p_SO) const;
+
+  /// Where a side of the wedge touches the conic. @param u  along it, of any length.
+  Eigen::Vector2d touch_m(const Eigen::Vector2d& u) const;
+
   int object() const { return object_; }
 
  private:

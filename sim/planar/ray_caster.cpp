@@ -261,9 +261,13 @@ double RayCaster::incidence_rad(int i) const {
 double RayCaster::cos_incidence(int i) const {
   if (winner_[i] == kNobody) return 1.0;
   const Shape& shape = shapes_[static_cast<std::size_t>(winner_[i])];
-  if (!shape.is_disc) return range_m_[i] == 0.0 ? 1.0 : std::min(1.0, shape.size_m * inverse_range_[i]);
+  if (!shape.is_disc) {
+    if (range_m_[i] == 0.0) return 1.0;
+    return std::min(1.0, shape.steepness_ratio * shape.size_m * inverse_range_[i]);
+  }
+  if (shape.arc >= 0) return arcs_[shape.arc].cos_incidence({ux_[i], uy_[i]}, inverse_range_[i]);
   const double sine = cross(shape.center_m, Vector2d(ux_[i], uy_[i])) / shape.size_m;
-  return std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  return shape.steepness_ratio * std::sqrt(std::max(0.0, 1.0 - sine * sine));
 }
 
 }  // namespace scanbed::sim

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/errors/ensure.hpp"
 #include "core/scan/laser_scan.hpp"
@@ -46,14 +47,16 @@ SpotCaster::SpotCaster(const ScanGeometry& geometry, BeamSubset subset, const Sp
 
 void SpotCaster::cast(const PlanarSlice& slice, const Pose2& X_LS, const RayCaster& axes, IdealReturns& out) {
   shapes_.clear();
+  arcs_.clear();
   const Vector2d x_axis = X_LS.heading();
   const Vector2d y_axis(-x_axis.y(), x_axis.x());
   const auto to_sensor = [&](const Vector2d& p_LQ) {
     const Vector2d p_SQ_L = p_LQ - X_LS.p_m;
     return Vector2d(x_axis.dot(p_SQ_L), y_axis.dot(p_SQ_L));
   };
-  for (const SliceSegment& s : slice.segments) add_segment(to_sensor(s.a_m), to_sensor(s.b_m), s.object);
-  for (const SliceDisc& d : slice.discs) add_disc(to_sensor(d.center_m), d.radius_m, d.object);
+  for (const SliceSegment& s : slice.segments) add_segment(to_sensor(s.a_m), to_sensor(s.b_m), s);
+  for (const SliceDisc& d : slice.discs) add_disc(to_sensor(d.center_m), d);
+  for (const SliceArc& a : slice.arcs) add_arc(a, X_LS);
   std::fill(is_marked_.begin(), is_marked_.end(), char{0});
   for (const Shape& shape : shapes_) {
     const bool is_disc = shape.radius_m > 0.0;
@@ -67,22 +70,40 @@ void SpotCaster::cast(const PlanarSlice& slice, const Pose2& X_LS, const RayCast
   hand_out(out);
 }
 
-void SpotCaster::add_segment(const Vector2d& p_SA, const Vector2d& p_SB, int object) {
+void SpotCaster::add_segment(const Vector2d& p_SA, const Vector2d& p_SB, const SliceSegment& segment) {
   const double area_m2 = cross(p_SA, p_SB);
   if (area_m2 == 0.0) return;  // seen along its length, or the sensor is on it
   const bool a_is_right = area_m2 > 0.0;
   const Vector2d& p_SR = a_is_right ? p_SA : p_SB;
   const Vector2d& p_SL = a_is_right ? p_SB : p_SA;
-  add({p_SR, p_SL, 0.0, 0.0, 0.0, 0.0, 0.0, object}, p_SR, p_SL);
+  add({p_SR, p_SL, 0.0, segment.steepness_ratio, 0.0, 0.0, 0.0, 0.0, segment.object}, p_SR, p_SL);
 }
 
-void SpotCaster::add_disc(const Vector2d& p_SC, double radius_m, int object) {
+void SpotCaster::add_disc(const Vector2d& p_SC, const SliceDisc& disc) {
+  const double radius_m = disc.radius_m;
   const double tangent_sq_m2 = p_SC.squaredNorm() - radius_m * radius_m;
   if (tangent_sq_m2 <= 0.0) return;  // from inside there is no edge
   const double cosine = std::sqrt(tangent_sq_m2 / p_SC.squaredNorm());
   const Vector2d along = cosine * cosine * p_SC;
   const Vector2d across = cosine * radius_m / p_SC.norm() * Vector2d(-p_SC.y(), p_SC.x());
-  add({p_SC, p_SC, radius_m, 0.0, 0.0, 0.0, 0.0, object}, along - across, along + across);
+  add({p_SC, p_SC, radius_m, disc.steepness_ratio, 0.0, 0.0, 0.0, 0.0, disc.object}, along - across,
+      along + across);
+}
+
+// What cannot be said to lie between two tangents may be anywhere, and has no edge that could be found.
+void SpotCaster::add_arc(const SliceArc& given, const Pose2& X_LS) {
+  const ArcInBeams arc(given, X_LS);
+  const int index = static_cast<int>(arcs_.size());
+  arcs_.push_back(arc);
+  const std::optional<ArcInBeams::Wedge> wedge = arc.wedge();
+  if (!wedge) {
+    shapes_.push_back(
+        {Vector2d::Zero(), Vector2d::Zero(), 0.0, 1.0, 0.0, num_beams_ - 1.0, 0.0, 0.0, given.object, index});
+    return;
+  }
+  const Vector2d p_SR = arc.touch_m(wedge->right);
+  const Vector2d p_SL = arc.touch_m(wedge->left);
+  add({p_SR, p_SL, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, given.object, index}, p_SR, p_SL);
 }
 
 void SpotCaster::add(Shape shape, const Vector2d& p_SR, const Vector2d& p_SL) {
@@ -158,7 +179,20 @@ void SpotCaster::meet(const Shape& shape) {
   }
 }
 
+void SpotCaster::meet_arc(const Shape& shape, Ray& ray) const {
+  const ArcInBeams arc = arcs_[shape.arc].seen_from(ray.p_SO);
+  const double inverse_range = arc.inverse_range(ray.u);
+  if (inverse_range * ray.range_m <= 1.0) return;
+  ray.range_m = 1.0 / inverse_range;
+  ray.cos_incidence = arc.cos_incidence(ray.u, inverse_range);
+  ray.object = shape.object;
+}
+
 void SpotCaster::meet(const Shape& shape, Ray& ray) const {
+  if (shape.arc >= 0) {
+    meet_arc(shape, ray);
+    return;
+  }
   const Vector2d p_OA = shape.a_m - ray.p_SO;
   double range_m = kNoEcho;
   double cosine = 1.0;
@@ -180,7 +214,7 @@ void SpotCaster::meet(const Shape& shape, Ray& ray) const {
   }
   if (range_m <= 0.0 || range_m >= ray.range_m) return;
   ray.range_m = range_m;
-  ray.cos_incidence = cosine;
+  ray.cos_incidence = shape.steepness * cosine;
   ray.object = shape.object;
 }
 

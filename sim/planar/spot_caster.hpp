@@ -7,6 +7,7 @@
 
 #include "core/geometry/pose2.hpp"
 #include "core/scan/scan_geometry.hpp"
+#include "sim/planar/arc_in_beams.hpp"
 #include "sim/planar/planar_slice.hpp"
 #include "sim/planar/ray_caster.hpp"
 #include "sim/sensor/ideal_returns.hpp"
@@ -48,11 +49,13 @@ class SpotCaster {
     Eigen::Vector2d a_m;  ///< one end, or the centre
     Eigen::Vector2d b_m;  ///< the other end
     double radius_m;      ///< 0 for a segment
+    double steepness;     ///< SliceSegment::steepness_ratio
     double from;          ///< of its right end, in beams
     double to;            ///< of its left end; not below from, perhaps beyond a turn
     double from_half;     ///< half of the spot at that end, in beams
     double to_half;
     int object;
+    int arc = -1;  ///< index into arcs_, where it is one; a_m and b_m are where the tangents touch
   };
   struct Ray {
     Eigen::Vector2d p_SO;  ///< where it leaves the sensor
@@ -68,14 +71,16 @@ class SpotCaster {
     double range_m;  ///< of the edge
   };
 
-  void add_segment(const Eigen::Vector2d& p_SA, const Eigen::Vector2d& p_SB, int object);
-  void add_disc(const Eigen::Vector2d& p_SC, double radius_m, int object);
+  void add_segment(const Eigen::Vector2d& p_SA, const Eigen::Vector2d& p_SB, const SliceSegment& segment);
+  void add_disc(const Eigen::Vector2d& p_SC, const SliceDisc& disc);
+  void add_arc(const SliceArc& arc, const Pose2& X_LS);
   void add(Shape shape, const Eigen::Vector2d& p_SR, const Eigen::Vector2d& p_SL);
   void mark(const End& end, const RayCaster& axes);
   bool is_hidden(int first, int last, double range_m, const RayCaster& axes) const;
   void lay_rays();
   void meet(const Shape& shape);
   void meet(const Shape& shape, Ray& ray) const;
+  void meet_arc(const Shape& shape, Ray& ray) const;
   void hand_out(IdealReturns& out) const;
 
   BeamSubset subset_;
@@ -88,6 +93,7 @@ class SpotCaster {
   std::array<double, kMaxSpotRays> weight_{};  ///< their sum is 1
   std::vector<Eigen::Vector2d> axis_;
   std::vector<Shape> shapes_;
+  std::vector<ArcInBeams> arcs_;
   std::vector<char> is_marked_;  ///< by beam of the subset
   std::vector<int> marked_;      ///< those beams, rising
   std::vector<int> rank_;        ///< by beam and one more: how many marked beams come before

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "core/errors/ensure.hpp"
 #include "sim/spatial/part_names.hpp"
@@ -46,24 +47,24 @@ SpatialSlicer::SpatialSlicer(const World& world, const mjModel& model) : model_(
   for (const Walker& walker : world.walkers) {
     if (!walker.tow) continue;
     const Tow& tow = *walker.tow;
-    const int side = add_object(tow.id, tow.label, Primitive::kCircle, tow.radius_m);
-    const int top = add_object(tow.id + ".top", tow.label, Primitive::kNone, 0.0);
+    const int side = add_object({tow.id, tow.label, Primitive::kCircle, tow.radius_m, tow.material});
+    const int top = add_object({tow.id + ".top", tow.label, Primitive::kNone, 0.0, tow.material});
     const int body = body_id(model, tow_name(tow.id, "cylinder"));
     tows_.push_back({model.body_geomadr[body], {side, top}});
   }
-  floor_ = add_object("floor", "floor", Primitive::kNone, 0.0);
+  floor_ = add_object({"floor", "floor", Primitive::kNone, 0.0, {}});
 }
 
-int SpatialSlicer::add_object(const std::string& id, const std::string& label, Primitive primitive,
-                              double radius_m) {
-  objects_.push_back({id, label, primitive, radius_m});
+int SpatialSlicer::add_object(SliceObject object) {
+  objects_.push_back(std::move(object));
   return static_cast<int>(objects_.size()) - 1;
 }
 
 void SpatialSlicer::add_solid(const Solid& solid) {
   if (const auto* cylinder = std::get_if<Cylinder>(&solid.shape)) {
-    const int side = add_object(solid.id, solid.label, Primitive::kCircle, cylinder->radius_m);
-    const int top = add_object(solid.id + ".top", solid.label, Primitive::kNone, 0.0);
+    const int side =
+        add_object({solid.id, solid.label, Primitive::kCircle, cylinder->radius_m, solid.material});
+    const int top = add_object({solid.id + ".top", solid.label, Primitive::kNone, 0.0, solid.material});
     const double mid_m = 0.5 * (solid.bottom_m + solid.top_m);
     columns_.push_back({{{cylinder->center_m.x(), cylinder->center_m.y(), mid_m},
                          Vector3d::UnitZ(),
@@ -77,13 +78,13 @@ void SpatialSlicer::add_solid(const Solid& solid) {
   std::vector<int> objects;
   for (const Edge& edge : outline(solid.shape)) {
     const std::string id = solid.id + "." + std::to_string(objects.size());
-    objects.push_back(add_object(id, solid.label, Primitive::kLine, 0.0));
+    objects.push_back(add_object({id, solid.label, Primitive::kLine, 0.0, solid.material}));
     corners_m.push_back(edge.a_m);
     if (!is_filled) {
       polyhedra_.push_back(sheet({edge.a_m, edge.b_m}, solid.bottom_m, solid.top_m, objects.back()));
     }
   }
-  objects.push_back(add_object(solid.id + ".top", solid.label, Primitive::kNone, 0.0));
+  objects.push_back(add_object({solid.id + ".top", solid.label, Primitive::kNone, 0.0, solid.material}));
   if (is_filled) polyhedra_.push_back(prism(corners_m, solid.bottom_m, solid.top_m, objects));
 }
 
@@ -95,9 +96,11 @@ void SpatialSlicer::add_walker(const Walker& walker, const mjModel& model) {
     for (int i = 0; i < model.body_geomnum[body]; ++i)
       parts.push_back({model.body_geomadr[body] + i, object});
   };
-  const int left = add_object(walker.id + ".left_leg", "leg", Primitive::kLeg, walker.leg_radius_m);
-  const int right = add_object(walker.id + ".right_leg", "leg", Primitive::kLeg, walker.leg_radius_m);
-  add_parts("torso", add_object(walker.id + ".body", "body", Primitive::kNone, 0.0));
+  const int left =
+      add_object({walker.id + ".left_leg", "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
+  const int right =
+      add_object({walker.id + ".right_leg", "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
+  add_parts("torso", add_object({walker.id + ".body", "body", Primitive::kNone, 0.0, walker.material}));
   for (const char* part : {"_foot", "_thigh", "_shank"}) {
     add_parts(std::string("left") + part, left);
     add_parts(std::string("right") + part, right);

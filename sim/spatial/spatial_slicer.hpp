@@ -48,7 +48,7 @@ class SpatialSlicer {
     CylinderObjects objects;
   };
 
-  int add_object(const std::string& id, const std::string& label, Primitive primitive, double radius_m);
+  int add_object(SliceObject object);
   void add_solid(const Solid& solid);
   void add_walker(const Walker& walker, const mjModel& model);
   void cut_part(const mjData& data, const LaserPlane& plane, const Part& part, PlanarSlice& slice) const;
