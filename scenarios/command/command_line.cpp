@@ -28,6 +28,8 @@ struct TypedFlags {
   std::vector<std::string> settings;
   std::string json;
   std::string out;
+  std::string record;
+  std::vector<std::string> recordings;
   std::string limit;
   std::string at = "0";
   std::string view = "camera";
@@ -61,9 +63,17 @@ Examples:
   scanbed detect --laser log:hall.log.gz --limit 10
   scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set circle_std_max=0.1
   scanbed detect --laser sim:static_hallway --out features.jsonl
+  scanbed detect --laser 'log:walk.bag?speed=1&from=2&to=10' --record walk.mcap
 )";
 constexpr const char* kRenderHelp = R"(Example:
   scanbed render static_hallway --at 20 --view top -o hall.png --size 1280x960)";
+constexpr const char* kConvertHelp =
+    R"(Formats, by ending: .jsonl (keeps everything), .mcap, .bag (ROS 1), .log .clf (CARMEN), .player .plog;
+.gz behind a text format packs it. Reading goes by content.
+Examples:
+  scanbed convert hall.log hall.mcap
+  scanbed convert 'walk.bag?only=/scan&from=2&to=10' walk.jsonl.gz
+  scanbed convert killed.mcap.part whole.mcap)";
 constexpr const char* kValidateHelp = R"(Example:
   scanbed validate my_hall.yaml static_hallway)";
 
@@ -81,6 +91,11 @@ void add_detector(CLI::App& app, TypedFlags& flags) {
   add_settings(app, flags);
 }
 
+void add_record(CLI::App& app, TypedFlags& flags) {
+  app.add_option("--record", flags.record, "Write scans, features and truth; the ending is the format")
+      ->type_name("FILE");
+}
+
 CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
   CLI::App* run = app.add_subcommand("run", "Run scenarios, score the detectors, hold scores against gates");
   run->add_option("SCENARIO", flags.scenarios, "Names of the library or YAML files")
@@ -91,6 +106,7 @@ CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
   run->add_option("--json", flags.json, "Write results as JSON; - is standard output")->type_name("FILE");
   run->add_option("--out", flags.out, "Write the scenario's pictures here")->type_name("DIR");
   run->add_flag("--quiet", flags.quiet, "No table");
+  add_record(*run, flags);
   add_detector(*run, flags);
   run->footer(kRunHelp + table_two_text());
   return run;
@@ -98,11 +114,14 @@ CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
 
 CLI::App* add_detect(CLI::App& app, TypedFlags& flags) {
   CLI::App* detect = app.add_subcommand("detect", "Print the features of each scan as JSON Lines");
-  detect->add_option("--laser", flags.laser, "log:FILE[?only=MESSAGE&no_return=METRES] or sim:SCENARIO")
+  detect
+      ->add_option("--laser", flags.laser,
+                   "log:FILE[?only=NAME&no_return=METRES&speed=X&from=S&to=S] or sim:SCENARIO")
       ->type_name("SPEC")
       ->required();
   detect->add_option("--limit", flags.limit, "Stop after N scans")->type_name("N");
   detect->add_option("--out", flags.out, "In place of standard output")->type_name("FILE");
+  add_record(*detect, flags);
   add_detector(*detect, flags);
   detect->footer(kDetectHelp + table_two_text());
   return detect;
@@ -122,6 +141,17 @@ CLI::App* add_render(CLI::App& app, TypedFlags& flags) {
   add_detector(*render, flags);
   render->footer(kRenderHelp);
   return render;
+}
+
+CLI::App* add_convert(CLI::App& app, TypedFlags& flags) {
+  CLI::App* convert = app.add_subcommand("convert", "Write a recording in another format");
+  convert
+      ->add_option("FILES", flags.recordings, "What to read, with options as behind log:, and what to write")
+      ->required()
+      ->expected(2)
+      ->type_name("");
+  convert->footer(kConvertHelp);
+  return convert;
 }
 
 CLI::App* add_validate(CLI::App& app, TypedFlags& flags) {
@@ -198,6 +228,7 @@ RunCommand to_run(const TypedFlags& flags) {
           .settings = to_settings(flags),
           .json = to_path(flags.json),
           .out = to_path(flags.out),
+          .record = to_path(flags.record),
           .quiet = flags.quiet};
 }
 
@@ -208,7 +239,8 @@ DetectCommand to_detect(const TypedFlags& flags) {
           .detector = to_detector(flags),
           .settings = to_settings(flags),
           .limit = limit,
-          .out = to_path(flags.out)};
+          .out = to_path(flags.out),
+          .record = to_path(flags.record)};
 }
 
 RenderCommand to_render(const TypedFlags& flags) {
@@ -249,6 +281,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   const CLI::App* run = add_run(app, flags);
   const CLI::App* detect = add_detect(app, flags);
   const CLI::App* render = add_render(app, flags);
+  const CLI::App* convert = add_convert(app, flags);
   const CLI::App* list = app.add_subcommand("list", "List the scenarios of the library");
   add_validate(app, flags);
   check_command(app, argc, argv);
@@ -264,6 +297,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (run->parsed()) return to_run(flags);
   if (detect->parsed()) return to_detect(flags);
   if (render->parsed()) return to_render(flags);
+  if (convert->parsed()) {
+    return ConvertCommand{parse_laser_spec("log:" + flags.recordings[0]), flags.recordings[1]};
+  }
   if (list->parsed()) return ListCommand{};
   return ValidateCommand{flags.scenarios};
 }

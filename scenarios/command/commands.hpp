@@ -35,7 +35,8 @@ struct RunCommand {
   DetectorChoice detector;
   std::vector<Setting> settings;  ///< of the scenario; Table II names go to the detector
   std::optional<std::filesystem::path> json;
-  std::optional<std::filesystem::path> out;  ///< folder for pictures
+  std::optional<std::filesystem::path> out;     ///< folder for pictures
+  std::optional<std::filesystem::path> record;  ///< recording to write
   bool quiet = false;
 };
 
@@ -46,6 +47,7 @@ struct DetectCommand {
   std::vector<Setting> settings;
   std::optional<std::int64_t> limit;  ///< scans
   std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> record;  ///< recording to write
 };
 
 /// `scanbed render SCENARIO --at T --view V -o F.png`
@@ -57,6 +59,12 @@ struct RenderCommand {
   std::optional<std::uint64_t> seed;
   DetectorChoice detector;
   std::vector<Setting> settings;
+};
+
+/// `scanbed convert FILE[?OPTIONS] FILE`
+struct ConvertCommand {
+  LaserSpec from;  ///< a recording
+  std::filesystem::path to;
 };
 
 /// `scanbed list`
@@ -72,12 +80,13 @@ struct TextCommand {
   std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, DetectCommand, RenderCommand, ListCommand, ValidateCommand, TextCommand>;
+using Command = std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ListCommand,
+                             ValidateCommand, TextCommand>;
 
 ExitCode execute(const RunCommand& command);
 ExitCode execute(const DetectCommand& command);
 ExitCode execute(const RenderCommand& command);
+ExitCode execute(const ConvertCommand& command);
 ExitCode execute(const ListCommand& command);
 ExitCode execute(const ValidateCommand& command);
 ExitCode execute(const TextCommand& command);

@@ -10,6 +10,7 @@
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
+#include "scenarios/command/recorder.hpp"
 #include "scenarios/report/feature_line.hpp"
 
 namespace scanbed::scenarios {
@@ -18,37 +19,48 @@ namespace {
 // Longer than any laser needs for a scan; sources that never wait ignore it.
 constexpr RangeSensor::Seconds kScanTimeout{2.0};
 
+/// Where features go.
+struct Sinks {
+  Output& output;
+  Recorder& recorder;
+};
+
 void print_features(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector,
-                    Output& output) {
+                    const Sinks& sinks) {
   Progress progress("detect");
   LaserScan scan;
   std::string line;
   for (std::int64_t num_scans = 0; !command.limit || num_scans < *command.limit; ++num_scans) {
     if (is_interrupted() || !sensor.next(scan, kScanTimeout)) return;
     line.clear();
-    append_feature_line(line, scan, detector.detect(scan));
-    if (!output.write(line)) return;
+    const Features& features = detector.detect(scan);
+    sinks.recorder.see(scan, features, sensor);
+    append_feature_line(line, scan, features);
+    if (!sinks.output.write(line)) return;
     progress.show(num_scans + 1);
   }
 }
 
 // What was found before a source failed is written all the same.
-void print_all(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector, Output& output) {
+void print_all(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector,
+               const Sinks& sinks) {
   std::exception_ptr fault;
   try {
-    print_features(command, sensor, detector, output);
+    print_features(command, sensor, detector, sinks);
   } catch (const InputError&) {
     fault = std::current_exception();
   } catch (const SensorFault&) {
     fault = std::current_exception();
   }
-  output.commit();
+  sinks.output.commit();
+  sinks.recorder.finish();
   if (fault) std::rethrow_exception(fault);
 }
 
 struct OpenedLaser {
   std::unique_ptr<RangeSensor> sensor;
-  const hw::CarmenLog* log = nullptr;  // where the sensor is one
+  const hw::ScanReader* log = nullptr;  // where the sensor is one
+  std::optional<Scenario> scenario;     // where the sensor is simulated
 };
 
 OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings) {
@@ -58,11 +70,13 @@ OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings)
                        "allowed: the detector's parameters, see 'scanbed detect --help'");
     }
     auto log = open_log(spec);
-    const hw::CarmenLog* counts = log.get();
-    return {std::move(log), counts};
+    const hw::ScanReader* counts = log.get();
+    return {std::move(log), counts, std::nullopt};
   }
   if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");
-  return {simulate(open_scenario(spec.target, settings, std::nullopt)), nullptr};
+  Scenario scenario = open_scenario(spec.target, settings, std::nullopt);
+  auto sensor = simulate(scenario);
+  return {std::move(sensor), nullptr, std::move(scenario)};
 }
 
 }  // namespace
@@ -72,9 +86,12 @@ ExitCode execute(const DetectCommand& command) {
   FeatureDetector detector(detector_options(command.detector, settings.detector));
   const OpenedLaser laser = open_laser(command.laser, settings.scenario);
   Output output(command.out);
+  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
+  if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);
+  Recorder recorder(command.record, metadata);
   std::exception_ptr fault;
   try {
-    print_all(command, *laser.sensor, detector, output);
+    print_all(command, *laser.sensor, detector, {output, recorder});
   } catch (const InputError&) {
     fault = std::current_exception();
   }

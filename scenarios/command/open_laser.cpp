@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <utility>
+
 #include "scenarios/command/log.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"
@@ -32,16 +35,20 @@ std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario) {
       sim::SimulationOptions{.lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed});
 }
 
-std::unique_ptr<hw::CarmenLog> open_log(const LaserSpec& spec) {
+std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
   const auto report = [num_warnings = 0](const std::string& message) mutable {
     ++num_warnings;
     if (num_warnings <= kMostWarnings) log_warning(message);
     if (num_warnings == kMostWarnings) log_warning("further damaged lines are only counted");
   };
-  return std::make_unique<hw::CarmenLog>(spec.target, spec.log, report);
+  const hw::ReplayOptions& replay = spec.replay;
+  replay.validate();
+  auto reader = hw::open_recording(spec.target, spec.log, report);
+  if (!replay.speed && replay.from_s == 0.0 && std::isinf(replay.to_s)) return reader;
+  return std::make_unique<hw::PacedReplay>(std::move(reader), replay);
 }
 
-std::string to_text(const hw::CarmenLogCounts& counts) {
+std::string to_text(const hw::RecordingCounts& counts) {
   return fmt::format("{}, {}, {}", plural(counts.num_scans, "scan"),
                      plural(counts.num_damaged_lines, "damaged line"),
                      plural(counts.num_other_lines, "other line"));

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/scan/range_sensor.hpp"
-#include "hw/recording/carmen_log.hpp"
+#include "hw/recording/scan_reader.hpp"
 #include "scenarios/load/scenario.hpp"
 #include "scenarios/load/set_path.hpp"
 #include "scenarios/run/laser_spec.hpp"
@@ -25,11 +25,11 @@ Scenario open_scenario(const std::string& name_or_path, std::span<const Setting>
 /// The simulated laser of a scenario. @throws InputError where the world cannot be.
 std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario);
 
-/// A recording; its damaged lines become warnings, up to twenty of them.
-std::unique_ptr<hw::CarmenLog> open_log(const LaserSpec& spec);
+/// A recording of any format; its damaged lines become warnings, up to twenty of them.
+std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec);
 
 /// "37 scans, 0 damaged lines, 3 other lines".
-std::string to_text(const hw::CarmenLogCounts& counts);
+std::string to_text(const hw::RecordingCounts& counts);
 
 /// Settings by what they are for: Table II names for the detector, all else for the scenario.
 struct SortedSettings {

@@ -10,6 +10,7 @@
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
+#include "scenarios/command/recorder.hpp"
 #include "scenarios/report/run_json.hpp"
 #include "scenarios/report/score_table.hpp"
 #include "scenarios/run/picture_taker.hpp"
@@ -23,30 +24,42 @@ struct RunAndPictures {
   std::vector<std::filesystem::path> pictures;
 };
 
+Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
+  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
+  if (command.record) add_scenario(metadata, command.scenarios.front(), scenario.seed);
+  return {command.record, metadata};
+}
+
 RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
   const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario);
   std::optional<PictureTaker> pictures;
   if (command.out) pictures.emplace(scenario, *sensor, *command.out);
+  Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
   run.result =
       run_scenario(scenario, *sensor, detector, [&](const LaserScan& scan, const Features& features) {
         if (pictures) pictures->see(scan, features);
+        recorder.see(scan, features, *sensor);
         progress.show(scan.index + 1);
         return !is_interrupted();
       });
+  recorder.finish();
   if (pictures) run.pictures = pictures->files();
   return run;
 }
 
 RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
-  const std::unique_ptr<hw::CarmenLog> log = open_log(command.laser);
+  const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
+  Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, *log, detector, [&](const LaserScan& scan, const Features&) {
+  run.result = run_scenario(scenario, *log, detector, [&](const LaserScan& scan, const Features& features) {
+    recorder.see(scan, features, *log);
     progress.show(scan.index + 1);
     return !is_interrupted();
   });
+  recorder.finish();
   log_note(to_text(log->counts()));
   return run;
 }
@@ -54,6 +67,10 @@ RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, F
 void check(const RunCommand& command) {
   if (!command.laser.target.empty() && command.laser.kind == LaserKind::kSimulated) {
     throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
+  }
+  if (command.record && command.scenarios.size() > 1) {
+    throw InputError("--record: one recording holds one scenario; found " +
+                     std::to_string(command.scenarios.size()));
   }
   if (!command.out) return;
   std::error_code error;

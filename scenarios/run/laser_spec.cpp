@@ -19,11 +19,32 @@ constexpr std::string_view kAvailable = "use sim or log:FILE";
   throw InputError(fmt::format("--laser {}: {}", quote(text), message));
 }
 
+double option_number(const LaserSpec& spec, std::string_view name, std::string_view value) {
+  const std::optional<double> number = parse_number(value);
+  if (number) return *number;
+  refuse_spec(spec.text, fmt::format("{}: expected a number, found {}", name, quote(value)));
+}
+
+/// Whether the option is one of replay, and then it is set.
+bool set_replay_option(LaserSpec& spec, std::string_view name, std::string_view value) {
+  if (name == "speed") {
+    spec.replay.speed = option_number(spec, name, value);
+  } else if (name == "from") {
+    spec.replay.from_s = option_number(spec, name, value);
+  } else if (name == "to") {
+    spec.replay.to_s = option_number(spec, name, value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void set_log_option(LaserSpec& spec, std::string_view option) {
-  static const std::array<std::string, 2> kOptions = {"only", "no_return"};
+  static const std::array<std::string, 5> kOptions = {"only", "no_return", "speed", "from", "to"};
   const std::size_t equals = std::min(option.find('='), option.size());
   const std::string_view name = option.substr(0, equals);
   const std::string_view value = option.substr(std::min(equals + 1, option.size()));
+  if (set_replay_option(spec, name, value)) return;
   if (name == "only" && !value.empty()) {
     spec.log.only = value;
   } else if (name == "no_return") {

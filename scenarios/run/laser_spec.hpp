@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "hw/recording/carmen_log.hpp"
+#include "hw/recording/open_recording.hpp"
+#include "hw/recording/paced_replay.hpp"
 
 namespace scanbed::scenarios {
 
@@ -15,10 +16,11 @@ struct LaserSpec {
   LaserKind kind = LaserKind::kSimulated;
   std::string text = "sim";  ///< as it was written
   std::string target;        ///< kSimulated: a scenario, or empty for the one that runs; kLog: a file
-  hw::CarmenLogOptions log;  ///< kLog
+  hw::RecordingOptions log;  ///< kLog
+  hw::ReplayOptions replay;  ///< kLog
 };
 
-/// Parses "sim", "sim:SCENARIO" or "log:FILE?only=FLASER&no_return=81.83".
+/// Parses "sim", "sim:SCENARIO" or "log:FILE?only=FLASER&no_return=81.83&speed=1&from=2&to=10".
 ///
 /// @throws InputError for an unknown kind or option, with the nearest known one; for values that do not fit;
 ///                    and for sick: and player:, which this version does not have yet.

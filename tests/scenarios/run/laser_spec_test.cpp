@@ -23,7 +23,7 @@ TEST(ParseLaserSpecTest, ReadsALogWithItsOptions) {
   EXPECT_EQ(plain.kind, LaserKind::kLog);
   EXPECT_EQ(plain.target, "a/b.log.gz");
   EXPECT_EQ(plain.log.only, "");
-  EXPECT_EQ(plain.log.no_return_m, hw::CarmenLogOptions{}.no_return_m);
+  EXPECT_EQ(plain.log.no_return_m, hw::RecordingOptions{}.no_return_m);
   const LaserSpec full = parse_laser_spec("log:a.log?only=RLASER&no_return=8.1");
   EXPECT_EQ(full.target, "a.log");
   EXPECT_EQ(full.log.only, "RLASER");
@@ -52,6 +52,17 @@ TEST(ParseLaserSpecTest, RefusesWithWhatToDo) {
             "--laser 'log:a?no_return': no_return: expected metres > 0, found ''");
   EXPECT_EQ(spec_error("log:a?only="), "--laser 'log:a?only=': only: expected a message such as FLASER");
   EXPECT_NE(spec_error(""), "");
+}
+
+TEST(ParseLaserSpecTest, ReadsHowALogIsReplayed) {
+  const LaserSpec spec = parse_laser_spec("log:a.bag?speed=2&from=1.5&to=10");
+  EXPECT_EQ(spec.target, "a.bag");
+  EXPECT_EQ(spec.replay.speed, 2.0);
+  EXPECT_EQ(spec.replay.from_s, 1.5);
+  EXPECT_EQ(spec.replay.to_s, 10.0);
+  EXPECT_FALSE(parse_laser_spec("log:a.bag").replay.speed.has_value());
+  EXPECT_THROW(parse_laser_spec("log:a.bag?speed=fast"), InputError);
+  EXPECT_THROW(parse_laser_spec("log:a.bag?from="), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "hw/recording/paced_replay.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <string>
+#include <utility>
+
+#include "core/errors/input_error.hpp"
+
+namespace scanbed::hw {
+
+void ReplayOptions::validate() const {
+  if (speed) require(*speed > 0.0 && *speed <= 1e6, "log.speed", *speed, "(0, 1e6]");
+  require(from_s >= 0.0, "log.from", from_s, ">= 0");
+  require(to_s >= from_s, "log.to", to_s, ">= from");
+}
+
+PacedReplay::PacedReplay(std::unique_ptr<ScanReader> reader, const ReplayOptions& options)
+    : reader_(std::move(reader)), options_(options) {
+  options_.validate();
+  is_ahead_ = read(first_);
+  if (is_ahead_) return;
+  throw InputError("the recording holds no scan from " + std::to_string(options_.from_s) + " s to " +
+                   std::to_string(options_.to_s) + " s after its first one");
+}
+
+bool PacedReplay::read(LaserScan& scan) {
+  while (!is_over_ && reader_->next(scan, {})) {
+    if (!start_s_) start_s_ = scan.time_s;
+    const double elapsed_s = scan.time_s - *start_s_;
+    is_over_ = elapsed_s > options_.to_s;
+    if (!is_over_ && elapsed_s >= options_.from_s) return true;
+  }
+  is_over_ = true;
+  return false;
+}
+
+bool PacedReplay::next(LaserScan& scan, Seconds /*timeout*/) {
+  if (is_over_) return false;
+  if (std::exchange(is_ahead_, false)) {
+    scan = first_;
+  } else {
+    if (!read(spare_)) return false;
+    scan = spare_;
+  }
+  wait_for(scan.time_s);
+  scan.index = num_given_++;
+  return true;
+}
+
+void PacedReplay::wait_for(double time_s) {
+  constexpr double kMostGap_s = 60.0;
+  if (!options_.speed) return;
+  if (num_given_ == 0) {
+    due_at_ = Clock::now();
+  } else {
+    const double gap_s = std::clamp(time_s - given_s_, 0.0, kMostGap_s) / *options_.speed;
+    due_at_ += std::chrono::duration_cast<Clock::duration>(Seconds(std::min(gap_s, kMostGap_s)));
+  }
+  given_s_ = time_s;
+  const Seconds left = due_at_ - Clock::now();
+  if (left <= Seconds::zero()) return;
+  const auto whole_s = static_cast<time_t>(left.count());
+  const timespec wait = {whole_s, static_cast<long>((left.count() - static_cast<double>(whole_s)) * 1e9)};
+  // Not sleep_for, which goes on sleeping after a signal.
+  ::nanosleep(&wait, nullptr);
+}
+
+}  // namespace scanbed::hw

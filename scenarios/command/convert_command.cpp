@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <exception>
+
+#include "core/errors/input_error.hpp"
+#include "core/errors/sensor_fault.hpp"
+#include "hw/recording/open_recording.hpp"
+#include "scenarios/command/commands.hpp"
+#include "scenarios/command/interrupt.hpp"
+#include "scenarios/command/log.hpp"
+#include "scenarios/command/open_laser.hpp"
+#include "scenarios/command/progress.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+void copy_scans(hw::ScanReader& reader, hw::ScanWriter& writer) {
+  Progress progress("convert");
+  LaserScan scan;
+  while (!is_interrupted() && reader.next(scan, {})) {
+    writer.write({.scan = scan, .features = reader.features(), .truth = reader.truth()});
+    progress.show(scan.index + 1);
+  }
+}
+
+}  // namespace
+
+ExitCode execute(const ConvertCommand& command) {
+  const std::unique_ptr<hw::ScanReader> reader = open_log(command.from);
+  const std::unique_ptr<hw::ScanWriter> writer = hw::create_recording(command.to, reader->metadata());
+  // A recording that is cut off becomes a whole one of what it has.
+  std::exception_ptr fault;
+  try {
+    copy_scans(*reader, *writer);
+  } catch (const InputError&) {
+    fault = std::current_exception();
+  } catch (const SensorFault&) {
+    fault = std::current_exception();
+  }
+  writer->finish();
+  log_note(to_text(reader->counts()));
+  if (fault) std::rethrow_exception(fault);
+  return is_interrupted() ? kExitInterrupted : kExitFine;
+}
+
+}  // namespace scanbed::scenarios
