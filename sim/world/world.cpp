@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/gait.hpp"
 #include "sim/world/rounded_path.hpp"
 #include "sim/world/solid_geometry.hpp"
 
@@ -114,6 +115,21 @@ void check_tow(const Tow& tow) {
   check_material(tow.material, name);
 }
 
+void check_stops(const Walker& walker, const std::string& name) {
+  double before_m = -1.0;
+  for (std::size_t i = 0; i < walker.stops.size(); ++i) {
+    const Stop& stop = walker.stops[i];
+    const std::string which = name + ": stop " + std::to_string(i);
+    require(stop.at_m >= 0.0 && stop.at_m > before_m && stop.at_m <= 1e6, which + ": at_m", stop.at_m,
+            ">= 0, behind the stop before");
+    require(std::abs(stop.turn_rad) <= 2.0 * kPi, which + ": turn_rad", stop.turn_rad, "at most one turn");
+    const double least_s = shortest_stop_s(walker.speed_m_per_s, stop.turn_rad);
+    require(stop.for_s >= least_s, which + ": for_s", stop.for_s,
+            ">= " + std::to_string(least_s) + ", to set the feet down and turn");
+    before_m = stop.at_m;
+  }
+}
+
 void check_walker(const Walker& walker) {
   const std::string name = quoted("walker", walker.id);
   validate_path(walker.path, name);
@@ -125,6 +141,8 @@ void check_walker(const Walker& walker) {
   require_not_negative(walker.step_width_m, name + ": step_width_m");
   require_positive(walker.height_m, name + ": height_m");
   check_material(walker.material, name);
+  require(std::abs(walker.lateral_m) <= 10.0, name + ": lateral_m", walker.lateral_m, "[-10, 10]");
+  check_stops(walker, name);
   if (walker.tow) check_tow(*walker.tow);
 }
 
@@ -218,7 +236,7 @@ void check_room_of_walker(const World& world, const Walker& walker) {
   const std::string name = quoted("walker", walker.id);
   const double radius_m = walker.leg_radius_m;
   const RoundedPath path(walker.path);
-  const Pose2 X_WP = path.pose_at(0.0);
+  const Pose2 X_WP = path.pose_at(0.0) * Pose2{{0.0, walker.lateral_m}, 0.0};
   check_room(world, {X_WP.p_m, radius_m, walker.height_m}, name + ": start of its path");
   for (std::size_t i = 0; i < walker.path.points_m.size() && walker.path.round_m == 0.0; ++i) {
     for (const Solid& solid : world.solids) {

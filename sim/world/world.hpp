@@ -71,6 +71,14 @@ struct Tow {
   Material material;
 };
 
+/// A rest on a walker's way: it stands at `at_m` for a while, feet side by side.
+struct Stop {
+  double at_m = 0.0;   ///< from the start of its path, as it walks
+  double for_s = 2.0;  ///< infinity: for good
+  double turn_rad =
+      0.0;  ///< meanwhile it turns on the spot by this, counter-clockwise, and back before it goes
+};
+
 /// A person. Legs are cylinders at the laser's height, in truth "<id>.left_leg" and "<id>.right_leg".
 struct Walker {
   std::string id;
@@ -82,7 +90,10 @@ struct Walker {
   double step_width_m = 0.10;  ///< between the feet, across the direction of walking
   double height_m = 1.75;
   std::optional<Tow> tow;
-  Material material;  ///< of the legs, as clothed
+  Material material;        ///< of the legs, as clothed
+  double lateral_m = 0.0;   ///< walks so far to the left of its path: two on one path are a pair
+  std::vector<Stop> stops;  ///< in the order of at_m
+  bool avoids = false;      ///< steps aside for other walkers
 };
 
 // Steps of a robot's drive plan, one after the other; it stands still when they are done.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
+#include "sim/world/crowd.hpp"
 #include "sim/world/drive_plan.hpp"
-#include "sim/world/gait.hpp"
 #include "sim/world/world.hpp"
 #include "sim/world/world_state.hpp"
 
@@ -14,26 +12,23 @@ namespace scanbed::sim {
 class WorldScript {
  public:
   /// @pre the world validates.
-  explicit WorldScript(const World& world) : drive_(world.robot) {
-    for (std::size_t i = 0; i < world.walkers.size(); ++i) {
-      gaits_.emplace_back(world.walkers[i], static_cast<int>(i), world.robot.laser_height_m);
-      has_tows_ = has_tows_ || world.walkers[i].tow.has_value();
-    }
+  explicit WorldScript(const World& world)
+      : drive_(world.robot), crowd_(world, world.robot.laser_height_m) {
+    for (const Walker& walker : world.walkers) has_tows_ = has_tows_ || walker.tow.has_value();
   }
 
   /// Writes time, robot and walkers; leaves the towed cylinders as they are, since those are physics.
   void follow(double time_s, WorldState& state) const {
     state.time_s = time_s;
     state.X_WR = drive_.pose_at(time_s);
-    state.walkers.resize(gaits_.size());
-    for (std::size_t i = 0; i < gaits_.size(); ++i) state.walkers[i] = gaits_[i].state_at(time_s);
+    crowd_.states_at(time_s, state.walkers);
   }
 
   bool has_tows() const { return has_tows_; }
 
  private:
   DrivePlan drive_;
-  std::vector<Gait> gaits_;
+  Crowd crowd_;
   bool has_tows_ = false;
 };
 

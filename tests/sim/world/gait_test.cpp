@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace scanbed::sim {
 namespace {
@@ -160,6 +161,64 @@ TEST(GaitTest, LegsNeverJumpEvenAtSharpCornersAndReversals) {
       ASSERT_LE((b.left_leg_m - a.left_leg_m).norm(), limit_m) << t_s;
       ASSERT_LE((b.right_leg_m - a.right_leg_m).norm(), limit_m) << t_s;
     }
+  }
+}
+
+TEST(GaitTest, StandsAtAStopWithFeetSideBySideAndGoesOn) {
+  Walker walker = walker_along_x(1.0, 10.0);
+  walker.stops = {{.at_m = 3.0, .for_s = 4.0}};
+  const Gait gait(walker, 0, kLaser_m);
+  for (const double t_s : {3.0, 5.0, 7.0})
+    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 3.0, kRounding) << t_s;
+  const WalkerState standing = gait.state_at(6.0);
+  EXPECT_NEAR((standing.left_foot_m - Vector2d(3.0, 0.05)).norm(), 0.0, kRounding);
+  EXPECT_NEAR((standing.right_foot_m - Vector2d(3.0, -0.05)).norm(), 0.0, kRounding);
+  EXPECT_NEAR(gait.state_at(9.0).X_WP.p_m.x(), 5.0, kRounding);
+}
+
+TEST(GaitTest, TurnsOnTheSpotAtAStopAndBackBeforeItGoesOn) {
+  Walker walker = walker_along_x(1.0, 10.0);
+  walker.stops = {{.at_m = 3.0, .for_s = 10.0, .turn_rad = -1.2}};
+  const Gait gait(walker, 0, kLaser_m);
+  EXPECT_NEAR(gait.state_at(3.5).X_WP.theta_rad, 0.0, kRounding);
+  const WalkerState turned = gait.state_at(8.0);
+  EXPECT_NEAR(turned.X_WP.theta_rad, -1.2, kRounding);
+  EXPECT_NEAR((turned.left_foot_m - turned.X_WP * Vector2d(0.0, 0.05)).norm(), 0.0, kRounding);
+  EXPECT_NEAR(gait.state_at(13.0).X_WP.theta_rad, 0.0, kRounding);
+}
+
+TEST(GaitTest, AStopForGoodIsAStandingPerson) {
+  Walker walker = walker_along_x(1.0, 10.0);
+  walker.stops = {{.at_m = 0.0, .for_s = std::numeric_limits<double>::infinity()}};
+  const Gait gait(walker, 0, kLaser_m);
+  for (const double t_s : {0.0, 1.0, 1e4}) {
+    EXPECT_TRUE(gait.state_at(t_s).present);
+    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 0.0, kRounding);
+  }
+  EXPECT_NEAR((gait.state_at(1e4).right_foot_m - Vector2d(0.0, -0.05)).norm(), 0.0, kRounding);
+}
+
+TEST(GaitTest, WalksBesideItsPath) {
+  Walker walker = walker_along_x(1.0, 10.0);
+  walker.lateral_m = -0.4;
+  const WalkerState state = Gait(walker, 0, kLaser_m).state_at(2.0);
+  EXPECT_NEAR((state.X_WP.p_m - Vector2d(2.0, -0.4)).norm(), 0.0, kRounding);
+  EXPECT_NEAR(0.5 * (state.left_foot_m.y() + state.right_foot_m.y()), -0.4, kRounding);
+}
+
+TEST(GaitTest, LegsNeverJumpAtStops) {
+  Walker walker = walker_along_x(1.37);
+  walker.path = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, true, 0.5, false};
+  walker.stops = {{.at_m = 1.1, .for_s = 1.1},
+                  {.at_m = 3.0, .for_s = 4.0, .turn_rad = 1.5},
+                  {.at_m = 12.5, .for_s = 2.0}};
+  const Gait gait(walker, 0, kLaser_m);
+  const double limit_m = kSample_s * ((1.44 + 0.2) / (0.4 * cycle_s(1.37)) + 1.37 + 1.0);
+  for (double t_s = 0.0; t_s < 25.0; t_s += kSample_s) {
+    const WalkerState a = gait.state_at(t_s);
+    const WalkerState b = gait.state_at(t_s + kSample_s);
+    ASSERT_LE((b.left_leg_m - a.left_leg_m).norm(), limit_m) << t_s;
+    ASSERT_LE((b.right_leg_m - a.right_leg_m).norm(), limit_m) << t_s;
   }
 }
 

@@ -76,6 +76,8 @@ TEST(WorldTest, NamesTheSolidAndTheFieldThatCannotBe) {
   expect_refused([](World& w) { w.solids[2].bottom_m = -kInf; }, "solid 'box': bottom_m: value -inf");
   expect_refused([](World& w) { w.solids[1].material.reflectivity = 1.5; },
                  "solid 'column': reflectivity: value 1.5");
+  expect_refused([](World& w) { w.solids[1].material.roughness_m = -1; },
+                 "solid 'column': roughness_m: value -1");
 }
 
 TEST(WorldTest, RefusesPolygonsThatAreNotConvexAndCounterClockwise) {
@@ -115,6 +117,15 @@ TEST(WorldTest, NamesTheWalkerAndTheFieldThatCannotBe) {
   expect_refused([](World& w) { w.walkers[0].leg_length_m = 0; }, "walker 'anna': leg_length_m");
   expect_refused([](World& w) { w.walkers[0].step_width_m = -0.1; }, "walker 'anna': step_width_m");
   expect_refused([](World& w) { w.walkers[0].height_m = 0; }, "walker 'anna': height_m");
+  expect_refused([](World& w) { w.walkers[0].lateral_m = kNan; }, "walker 'anna': lateral_m");
+  expect_refused([](World& w) { w.walkers[0].stops = {{.at_m = -1}}; }, "walker 'anna': stop 0: at_m");
+  expect_refused([](World& w) { w.walkers[0].stops = {{.at_m = 1}, {.at_m = 1}}; },
+                 "walker 'anna': stop 1: at_m");
+  expect_refused([](World& w) { w.walkers[0].stops = {{.for_s = 0.5}}; }, "walker 'anna': stop 0: for_s");
+  expect_refused([](World& w) { w.walkers[0].stops = {{.turn_rad = 7}}; }, "walker 'anna': stop 0: turn_rad");
+  expect_refused([](World& w) { w.walkers[0].material.reflectivity = 0; }, "walker 'anna': reflectivity");
+  expect_refused([](World& w) { w.walkers[0].tow->material.roughness_m = 2; },
+                 "towed cylinder 'cyl': roughness_m");
   expect_refused([](World& w) { w.walkers[0].tow->rope_m = 0; }, "towed cylinder 'cyl': rope_m: value 0");
   expect_refused([](World& w) { w.walkers[0].tow->radius_m = -1; }, "towed cylinder 'cyl': radius_m");
   expect_refused([](World& w) { w.walkers[0].tow->height_m = 0; }, "towed cylinder 'cyl': height_m");
