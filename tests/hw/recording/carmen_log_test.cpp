@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -192,6 +193,11 @@ std::filesystem::path recording(const std::string& name) {
 struct Recording {
   const char* name;
   int num_scans;
+
+  // Otherwise GoogleTest prints its bytes, and the test's name changes from build to build.
+  friend std::ostream& operator<<(std::ostream& out, const Recording& recording) {
+    return out << recording.name;
+  }
 };
 
 class RecordedLogTest : public testing::TestWithParam<Recording> {};
