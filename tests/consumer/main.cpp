@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/feature_detector.hpp"
 
-int main() { return scanbed::FeatureDetector(scanbed::paper_options()).detect({}).lines.empty() ? 0 : 1; }
+int main() {
+  return scanbed::FeatureDetector(scanbed::paper_options()).detect({}).lines.empty() ? 0 : 1;
+}
