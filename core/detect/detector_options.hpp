@@ -58,8 +58,16 @@ struct LegOptions {
   void validate() const;
 };
 
-/// All options of the detection pipeline: segmentation, circles, lines, legs.
+/// Which detectors run.
+enum class Pipeline {
+  kPaper,   ///< segments by a fixed gap, inscribed angles, recursive line fitting
+  kRobust,  ///< surfaces by a gap that follows the sensor, lines and arcs compared by chi squared
+};
+
+/// All options of the detection pipeline: segmentation, circles, lines, legs. The robust pipeline takes from
+/// circle and line whether they are on; legs are found by the paper's rules in both.
 struct DetectorOptions {
+  Pipeline pipeline = Pipeline::kPaper;
   SegmentationOptions segmentation;
   CircleOptions circle;
   LineOptions line;
@@ -70,6 +78,11 @@ struct DetectorOptions {
 /// Table II's defaults: the paper's detectors as it describes them.
 inline DetectorOptions paper_options() {
   return {};
+}
+
+/// Ours, by SurfaceParser: better than the paper's on circles and lines.
+inline DetectorOptions robust_options() {
+  return {.pipeline = Pipeline::kRobust};
 }
 
 }  // namespace scanbed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/feature_detector.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/detect/circle_detector.hpp"
@@ -23,11 +24,27 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
   projector_.project(scan, points_);
   segment_points(points_, options_.segmentation, segments_);
-  for (const Segment& segment : segments_) detect_in_segment(scan, segment);
+  for (const Segment& segment : segments_) {
+    if (options_.pipeline == Pipeline::kPaper) detect_in_segment(segment);
+    if (const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg)) {
+      features_.legs.push_back(*leg);
+    }
+  }
+  if (options_.pipeline == Pipeline::kRobust) detect_surfaces(scan);
   return features_;
 }
 
-void FeatureDetector::detect_in_segment(const LaserScan& scan, const Segment& segment) {
+void FeatureDetector::detect_surfaces(const LaserScan& scan) {
+  echo_reader_.read(scan, echoes_);
+  surface_parser_.parse(echoes_, scan, features_);
+  if (options_.line.method == LineMethod::kOff) features_.lines.clear();
+  if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
+  const auto rising = [](const auto& a, const auto& b) { return a.beams.first < b.beams.first; };
+  std::sort(features_.lines.begin(), features_.lines.end(), rising);
+  std::sort(features_.circles.begin(), features_.circles.end(), rising);
+}
+
+void FeatureDetector::detect_in_segment(const Segment& segment) {
   std::optional<Circle> circle;
   if (options_.circle.method != CircleMethod::kOff) circle = detect_circle(points_, segment, options_.circle);
   if (circle) {
@@ -36,9 +53,6 @@ void FeatureDetector::detect_in_segment(const LaserScan& scan, const Segment& se
     const int first_line = static_cast<int>(features_.lines.size());
     line_detector_.detect(points_, segment, features_.lines);
     detect_arcs_beside_lines(segment, first_line);
-  }
-  if (const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg)) {
-    features_.legs.push_back(*leg);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/detect/features.hpp"
 #include "core/detect/line_detector.hpp"
 #include "core/detect/points.hpp"
+#include "core/detect/robust/surface_parser.hpp"
 #include "core/detect/segmentation.hpp"
 #include "core/scan/laser_scan.hpp"
 
@@ -29,12 +30,16 @@ class FeatureDetector {
   const Features& detect(const LaserScan& scan);
 
  private:
-  void detect_in_segment(const LaserScan& scan, const Segment& segment);
+  void detect_surfaces(const LaserScan& scan);
+  void detect_in_segment(const Segment& segment);
   void detect_arcs_beside_lines(const Segment& segment, int first_line);
 
   DetectorOptions options_;
   PointProjector projector_;
   LineDetector line_detector_;
+  EchoReader echo_reader_;
+  SurfaceParser surface_parser_;
+  Echoes echoes_;
   Points points_;
   std::vector<Segment> segments_;
   Features features_;

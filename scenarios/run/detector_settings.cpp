@@ -16,9 +16,9 @@ namespace scanbed::scenarios {
 namespace {
 
 DetectorOptions preset_options(const std::string& preset) {
-  static const std::array<std::string, 1> kPresets = {"paper"};
+  static const std::array<std::string, 2> kPresets = {"paper", "robust"};
   if (preset == "paper") return paper_options();
-  if (preset == "robust") throw InputError("--preset robust: not available yet; use --preset paper");
+  if (preset == "robust") return robust_options();
   throw InputError(
       fmt::format("--preset: unknown value {}{}", quote(preset), name_hint(preset, kPresets, "presets")));
 }

@@ -108,7 +108,7 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", "/nowhere/a.yaml"});
   refused({"run", scenario(kEasy), "--laser", "sick:/dev/null"});
   refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
-  refused({"run", scenario(kEasy), "--preset", "robust"});
+  refused({"run", scenario(kEasy), "--preset", "rubust"});
   refused({"run", scenario(kEasy), "--config", "/nowhere.yaml"});
   // A name with control characters stays one line too.
   refused({"run", "a\nb"});

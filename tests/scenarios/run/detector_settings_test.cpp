@@ -53,8 +53,7 @@ TEST(DetectorOptionsTest, SayWhereABadParameterStands) {
 }
 
 TEST(DetectorOptionsTest, KnowOnlyThePreset) {
-  EXPECT_EQ(error_of([] { detector_options({.preset = "robust", .config = {}}, {}); }),
-            "--preset robust: not available yet; use --preset paper");
+  EXPECT_EQ(detector_options({.preset = "robust", .config = {}}, {}).pipeline, Pipeline::kRobust);
   EXPECT_EQ(error_of([] { detector_options({.preset = "papre", .config = {}}, {}); }),
             "--preset: unknown value 'papre'; did you mean 'paper'?");
 }

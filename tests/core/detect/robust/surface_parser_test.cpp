@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/robust/surface_parser.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/detect/feature_detector.hpp"
+#include "core/score/scorer.hpp"
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+using testing::IdealScene;
+using testing::with_noise;
+
+Features features_of(const LaserScan& scan) {
+  return FeatureDetector(robust_options()).detect(scan);
+}
+
+Scores scores_of(const IdealScene& scene, double sigma_m, FeatureDetector detector) {
+  Scorer scorer;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const LaserScan scan = with_noise(scene.scan(), sigma_m, seed);
+    scorer.add(detector.detect(scan), scan, scene.truth());
+  }
+  return scorer.scores();
+}
+
+IdealScene hall() {
+  IdealScene scene;
+  scene.wall({-1.0, -3.5}, {6.5, -3.5});
+  scene.wall({6.5, -3.5}, {6.5, 3.5});
+  scene.wall({6.5, 3.5}, {-1.0, 3.5});
+  scene.cylinder({3.0, 1.5}, 0.25);
+  scene.cylinder({5.0, -1.5}, 0.25);
+  scene.cylinder({2.0, -1.0}, 0.1);
+  return scene;
+}
+
+TEST(SurfaceParserTest, FindsWhatIsInAHallAndNothingElse) {
+  const Scores scores = scores_of(hall(), 0.005, FeatureDetector(robust_options()));
+  EXPECT_GE(scores.circle.tally.recall(), 0.98);
+  EXPECT_GE(scores.circle.tally.precision(), 0.98);
+  EXPECT_LE(scores.circle.tally.rms_error_m(), 0.01);
+  EXPECT_GE(scores.line.tally.recall(), 0.98);
+  EXPECT_GE(scores.line.tally.precision(), 0.98);
+}
+
+TEST(SurfaceParserTest, IsBetterThanThePaperWhereNoiseIsHigh) {
+  const Scores robust = scores_of(hall(), 0.012, FeatureDetector(robust_options()));
+  const Scores paper = scores_of(hall(), 0.012, FeatureDetector(paper_options()));
+  EXPECT_GT(robust.circle.tally.recall(), paper.circle.tally.recall() + 0.1);
+  EXPECT_GE(robust.line.tally.recall(), paper.line.tally.recall());
+}
+
+TEST(SurfaceParserTest, ASquarePostIsNoCircle) {
+  for (const double turn_deg : {0.0, 15.0, 30.0, 45.0}) {
+    IdealScene scene;
+    const double c = 0.2 * std::cos(radians(turn_deg));
+    const double s = 0.2 * std::sin(radians(turn_deg));
+    const Eigen::Vector2d corners_m[] = {
+        {2.5 + c - s, c + s}, {2.5 - c - s, c - s}, {2.5 - c + s, -c - s}, {2.5 + c + s, -c + s}};
+    for (int i = 0; i < 4; ++i) scene.wall(corners_m[i], corners_m[(i + 1) % 4]);
+    EXPECT_TRUE(features_of(with_noise(scene.scan(), 0.005, 5)).circles.empty()) << turn_deg;
+  }
+}
+
+TEST(SurfaceParserTest, ALongCorridorIsTwoWalls) {
+  IdealScene scene;
+  scene.wall({-1.0, 1.0}, {7.0, 1.0});
+  scene.wall({-1.0, -1.0}, {7.0, -1.0});
+  EXPECT_EQ(features_of(with_noise(scene.scan(), 0.005, 2)).lines.size(), 2u);
+}
+
+TEST(SurfaceParserTest, ScansThatHoldNothingGiveNothing) {
+  LaserScan scan;
+  EXPECT_TRUE(features_of(scan).lines.empty());
+  for (const double range_m : {kInvalid, kNoEcho, kTooClose, 0.0}) {
+    scan.range_m.assign(361, range_m);
+    const Features features = features_of(scan);
+    EXPECT_TRUE(features.lines.empty() && features.circles.empty()) << range_m;
+  }
+}
+
+TEST(SurfaceParserTest, HugeScansAndHugeRangesAreFine) {
+  LaserScan scan;
+  scan.geometry.step_rad = 2 * kPi / 10000;
+  scan.range_m.assign(10000, 2.0);
+  EXPECT_NO_THROW(features_of(scan));
+  scan.range_m.assign(361, 1e300);
+  EXPECT_NO_THROW(features_of(scan));
+}
+
+}  // namespace
+}  // namespace scanbed

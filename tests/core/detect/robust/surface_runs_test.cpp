@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/robust/surface_runs.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+using testing::IdealScene;
+
+SurfaceRuns runs_of(const LaserScan& scan) {
+  Echoes echoes;
+  EchoReader().read(scan, echoes);
+  SurfaceRuns runs;
+  SurfaceSplitter().split(echoes, runs);
+  return runs;
+}
+
+int num_runs_of(const IdealScene& scene) {
+  return runs_of(scene.scan()).num_runs();
+}
+
+TEST(SurfaceRunsTest, AColumnBeforeAWallIsASurfaceOfItsOwn) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {4.0, 3.0});
+  scene.cylinder({2.0, 0.0}, 0.25);
+  EXPECT_EQ(num_runs_of(scene), 3);  // the wall goes on behind, but too far on to be the same
+}
+
+TEST(SurfaceRunsTest, AThinPostDoesNotCutTheWallBehindIt) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {4.0, 3.0});
+  scene.cylinder({2.0, 0.0}, 0.02);
+  EXPECT_EQ(num_runs_of(scene), 2);
+}
+
+TEST(SurfaceRunsTest, ADropoutDoesNotCut) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {4.0, 3.0});
+  LaserScan scan = scene.scan();
+  scan.range_m[180] = kNoEcho;
+  EXPECT_EQ(runs_of(scan).num_runs(), 1);
+}
+
+TEST(SurfaceRunsTest, AWallAtGrazingIncidenceStaysOne) {
+  IdealScene scene;
+  scene.wall({0.0, 1.0}, {7.5, 1.0});  // at its end neighbours lie 0.5 m apart
+  EXPECT_EQ(num_runs_of(scene), 1);
+}
+
+TEST(SurfaceRunsTest, NoEchoesMakeNoSurfaces) {
+  EXPECT_EQ(runs_of({}).num_runs(), 0);
+}
+
+RC_GTEST_PROP(SurfaceRunsTest, EveryEchoLiesOnOneSurfaceAndBeamsRise,
+              (const std::vector<unsigned short>& ranges_cm)) {
+  LaserScan scan;
+  for (const auto range_cm : ranges_cm) scan.range_m.push_back((range_cm % 300) / 100.0);
+  Echoes echoes;
+  EchoReader().read(scan, echoes);
+  SurfaceRuns runs;
+  SurfaceSplitter().split(echoes, runs);
+  std::vector<int> seen = runs.order;
+  for (int i = 0; i < runs.num_runs(); ++i) {
+    RC_ASSERT(std::is_sorted(runs.order.begin() + runs.begin[i], runs.order.begin() + runs.begin[i + 1]));
+  }
+  std::sort(seen.begin(), seen.end());
+  for (int k = 0; k < echoes.size(); ++k) RC_ASSERT(seen[k] == k);
+}
+
+}  // namespace
+}  // namespace scanbed
