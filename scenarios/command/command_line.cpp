@@ -34,6 +34,18 @@ struct TypedFlags {
   std::string at = "0";
   std::string view = "camera";
   std::string size = "960x720";
+  std::string backend = "planar";
+  std::string mjcf;
+  std::string grid = "none";
+  bool no_beams = false;
+  bool no_features = false;
+  bool truth = false;
+  bool labels = false;
+  std::string gif;
+  std::string mp4;
+  std::string from = "0";
+  std::string to;
+  std::string frames_per_s;
   bool quiet = false;
 };
 
@@ -66,7 +78,8 @@ Examples:
   scanbed detect --laser 'log:walk.bag?speed=1&from=2&to=10' --record walk.mcap
 )";
 constexpr const char* kRenderHelp = R"(Example:
-  scanbed render static_hallway --at 20 --view top -o hall.png --size 1280x960)";
+  scanbed render static_hallway --at 20 --view top -o hall.png --size 1280x960
+  scanbed render static_hallway --view top --grid polar --truth --labels --gif hall.gif --to 10)";
 constexpr const char* kConvertHelp =
     R"(Formats, by ending: .jsonl (keeps everything), .mcap, .bag (ROS 1), .log .clf (CARMEN), .player .plog;
 .gz behind a text format packs it. Reading goes by content.
@@ -74,6 +87,8 @@ Examples:
   scanbed convert hall.log hall.mcap
   scanbed convert 'walk.bag?only=/scan&from=2&to=10' walk.jsonl.gz
   scanbed convert killed.mcap.part whole.mcap)";
+constexpr const char* kExportHelp = R"(Example:
+  scanbed export static_hallway --mjcf hall.xml)";
 constexpr const char* kValidateHelp = R"(Example:
   scanbed validate my_hall.yaml static_hallway)";
 
@@ -96,6 +111,12 @@ void add_record(CLI::App& app, TypedFlags& flags) {
       ->type_name("FILE");
 }
 
+void add_backend(CLI::App& app, TypedFlags& flags) {
+  app.add_option("--backend", flags.backend, "Engine of simulated lasers: planar or spatial")
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
 CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
   CLI::App* run = app.add_subcommand("run", "Run scenarios, score the detectors, hold scores against gates");
   run->add_option("SCENARIO", flags.scenarios, "Names of the library or YAML files")
@@ -107,6 +128,7 @@ CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
   run->add_option("--out", flags.out, "Write the scenario's pictures here")->type_name("DIR");
   run->add_flag("--quiet", flags.quiet, "No table");
   add_record(*run, flags);
+  add_backend(*run, flags);
   add_detector(*run, flags);
   run->footer(kRunHelp + table_two_text());
   return run;
@@ -122,6 +144,7 @@ CLI::App* add_detect(CLI::App& app, TypedFlags& flags) {
   detect->add_option("--limit", flags.limit, "Stop after N scans")->type_name("N");
   detect->add_option("--out", flags.out, "In place of standard output")->type_name("FILE");
   add_record(*detect, flags);
+  add_backend(*detect, flags);
   add_detector(*detect, flags);
   detect->footer(kDetectHelp + table_two_text());
   return detect;
@@ -135,9 +158,22 @@ CLI::App* add_render(CLI::App& app, TypedFlags& flags) {
       ->type_name("");
   render->add_option("--at", flags.at, "Seconds from the start")->type_name("T")->capture_default_str();
   render->add_option("--view", flags.view, "top, camera or laser")->type_name("VIEW")->capture_default_str();
-  render->add_option("-o,--out", flags.out, "PNG file")->type_name("FILE")->required();
+  render->add_option("-o,--out", flags.out, "PNG file")->type_name("FILE");
+  render->add_option("--gif", flags.gif, "Film, needs ffmpeg")->type_name("FILE");
+  render->add_option("--mp4", flags.mp4, "Film, needs ffmpeg")->type_name("FILE");
+  render->add_option("--from", flags.from, "Start of a film")->type_name("T")->capture_default_str();
+  render->add_option("--to", flags.to, "End of a film; else the scenario's")->type_name("T");
+  render->add_option("--fps", flags.frames_per_s, "Pictures a second; else one a scan")->type_name("N");
+  render->add_option("--grid", flags.grid, "none, cartesian or polar")
+      ->type_name("GRID")
+      ->capture_default_str();
+  render->add_flag("--no-beams", flags.no_beams, "Echoes without the beams to them");
+  render->add_flag("--no-features", flags.no_features, "Without what the detectors found");
+  render->add_flag("--truth", flags.truth, "Outlines of what is truly there");
+  render->add_flag("--labels", flags.labels, "Names of what is truly there");
   render->add_option("--size", flags.size, "Pixels")->type_name("WxH")->capture_default_str();
   render->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
+  add_backend(*render, flags);
   add_detector(*render, flags);
   render->footer(kRenderHelp);
   return render;
@@ -152,6 +188,21 @@ CLI::App* add_convert(CLI::App& app, TypedFlags& flags) {
       ->type_name("");
   convert->footer(kConvertHelp);
   return convert;
+}
+
+CLI::App* add_export(CLI::App& app, TypedFlags& flags) {
+  CLI::App* command = app.add_subcommand("export", "Write a scenario's world for other programs");
+  command->add_option("SCENARIO", flags.scenarios, "Name of the library or YAML file")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  command->add_option("--mjcf", flags.mjcf, "MuJoCo's model format; - is standard output")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
+  add_settings(*command, flags);
+  command->footer(kExportHelp);
+  return command;
 }
 
 CLI::App* add_validate(CLI::App& app, TypedFlags& flags) {
@@ -193,6 +244,14 @@ sim::View to_view(const std::string& text) {
   throw InputError(fmt::format("--view: unknown value {}{}", quote(text), name_hint(text, kViews, "views")));
 }
 
+sim::Grid to_grid(const std::string& text) {
+  static const std::array<std::string, 3> kGrids = {"none", "cartesian", "polar"};
+  if (text == kGrids[0]) return sim::Grid::kNone;
+  if (text == kGrids[1]) return sim::Grid::kCartesian;
+  if (text == kGrids[2]) return sim::Grid::kPolar;
+  throw InputError(fmt::format("--grid: unknown value {}{}", quote(text), name_hint(text, kGrids, "grids")));
+}
+
 sim::PictureOptions to_picture(const TypedFlags& flags) {
   constexpr std::int64_t kLargest_px = 8192;
   const std::size_t cross = std::min(flags.size.find('x'), flags.size.size());
@@ -206,18 +265,45 @@ sim::PictureOptions to_picture(const TypedFlags& flags) {
   sim::PictureOptions picture{.width_px = static_cast<int>(*width),
                               .height_px = static_cast<int>(*height),
                               .view = to_view(flags.view)};
+  picture.grid = to_grid(flags.grid);
+  picture.beams = !flags.no_beams;
+  picture.features = !flags.no_features;
+  picture.truth = flags.truth;
+  picture.labels = flags.labels;
   picture.validate();
   return picture;
 }
 
-double to_time_s(const std::string& text) {
+double to_time_s(std::string_view flag, const std::string& text) {
   const std::optional<double> time_s = parse_number(text);
-  if (!time_s) throw InputError(fmt::format("--at: expected seconds, found {}", quote(text)));
+  if (!time_s) throw InputError(fmt::format("{}: expected seconds, found {}", flag, quote(text)));
   return *time_s;
+}
+
+FilmOptions to_film(const TypedFlags& flags) {
+  FilmOptions film{.gif = to_path(flags.gif), .mp4 = to_path(flags.mp4)};
+  film.from_s = to_time_s("--from", flags.from);
+  if (!flags.to.empty()) film.to_s = to_time_s("--to", flags.to);
+  if (!flags.frames_per_s.empty()) {
+    const std::optional<double> rate = parse_number(flags.frames_per_s);
+    if (!rate) throw InputError(fmt::format("--fps: expected a number, found {}", quote(flags.frames_per_s)));
+    require(*rate > 0.0 && *rate <= 60.0, "--fps", *rate, "(0, 60]");
+    film.frames_per_s = *rate;
+  }
+  return film;
 }
 
 DetectorChoice to_detector(const TypedFlags& flags) {
   return {.preset = flags.preset, .config = to_path(flags.config)};
+}
+
+sim::Backend to_backend(const TypedFlags& flags) {
+  static const std::array<std::string, 2> kBackends = {"planar", "spatial"};
+  if (std::find(kBackends.begin(), kBackends.end(), flags.backend) == kBackends.end()) {
+    throw InputError(fmt::format("--backend: unknown value {}{}", quote(flags.backend),
+                                 name_hint(flags.backend, kBackends, "engines")));
+  }
+  return sim::parse_backend(flags.backend);
 }
 
 RunCommand to_run(const TypedFlags& flags) {
@@ -229,7 +315,8 @@ RunCommand to_run(const TypedFlags& flags) {
           .json = to_path(flags.json),
           .out = to_path(flags.out),
           .record = to_path(flags.record),
-          .quiet = flags.quiet};
+          .quiet = flags.quiet,
+          .backend = to_backend(flags)};
 }
 
 DetectCommand to_detect(const TypedFlags& flags) {
@@ -240,16 +327,29 @@ DetectCommand to_detect(const TypedFlags& flags) {
           .settings = to_settings(flags),
           .limit = limit,
           .out = to_path(flags.out),
-          .record = to_path(flags.record)};
+          .record = to_path(flags.record),
+          .backend = to_backend(flags)};
 }
 
 RenderCommand to_render(const TypedFlags& flags) {
+  if (flags.out.empty() && flags.gif.empty() && flags.mp4.empty()) {
+    throw InputError("nothing to write: name a file with -o, --gif or --mp4; see 'scanbed render --help'");
+  }
   return {.scenario = flags.scenarios.front(),
-          .at_s = to_time_s(flags.at),
+          .at_s = to_time_s("--at", flags.at),
           .picture = to_picture(flags),
-          .out = flags.out,
+          .out = to_path(flags.out),
+          .film = to_film(flags),
           .seed = to_seed(flags.seed),
           .detector = to_detector(flags),
+          .settings = to_settings(flags),
+          .backend = to_backend(flags)};
+}
+
+ExportCommand to_export(const TypedFlags& flags) {
+  return {.scenario = flags.scenarios.front(),
+          .mjcf = flags.mjcf,
+          .seed = to_seed(flags.seed),
           .settings = to_settings(flags)};
 }
 
@@ -282,6 +382,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   const CLI::App* detect = add_detect(app, flags);
   const CLI::App* render = add_render(app, flags);
   const CLI::App* convert = add_convert(app, flags);
+  const CLI::App* exported = add_export(app, flags);
   const CLI::App* list = app.add_subcommand("list", "List the scenarios of the library");
   add_validate(app, flags);
   check_command(app, argc, argv);
@@ -300,6 +401,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (convert->parsed()) {
     return ConvertCommand{parse_laser_spec("log:" + flags.recordings[0]), flags.recordings[1]};
   }
+  if (exported->parsed()) return to_export(flags);
   if (list->parsed()) return ListCommand{};
   return ValidateCommand{flags.scenarios};
 }

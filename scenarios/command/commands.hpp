@@ -11,6 +11,7 @@
 #include "scenarios/load/set_path.hpp"
 #include "scenarios/run/detector_settings.hpp"
 #include "scenarios/run/laser_spec.hpp"
+#include "sim/engine/make_engine.hpp"
 #include "sim/render/scene_picture.hpp"
 
 namespace scanbed::scenarios {
@@ -38,6 +39,7 @@ struct RunCommand {
   std::optional<std::filesystem::path> out;     ///< folder for pictures
   std::optional<std::filesystem::path> record;  ///< recording to write
   bool quiet = false;
+  sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers
 };
 
 /// `scanbed detect --laser SPEC`
@@ -47,7 +49,17 @@ struct DetectCommand {
   std::vector<Setting> settings;
   std::optional<std::int64_t> limit;  ///< scans
   std::optional<std::filesystem::path> out;
-  std::optional<std::filesystem::path> record;  ///< recording to write
+  std::optional<std::filesystem::path> record;   ///< recording to write
+  sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers
+};
+
+/// Films beside, or in place of, a picture.
+struct FilmOptions {
+  std::optional<std::filesystem::path> gif;
+  std::optional<std::filesystem::path> mp4;
+  double from_s = 0.0;
+  std::optional<double> to_s;          ///< empty: the scenario's end
+  std::optional<double> frames_per_s;  ///< of the film; empty: one a scan, as fast as they were measured
 };
 
 /// `scanbed render SCENARIO --at T --view V -o F.png`
@@ -55,9 +67,19 @@ struct RenderCommand {
   std::string scenario;
   double at_s = 0.0;
   sim::PictureOptions picture;
-  std::filesystem::path out;
+  std::optional<std::filesystem::path> out;  ///< PNG
+  FilmOptions film;
   std::optional<std::uint64_t> seed;
   DetectorChoice detector;
+  std::vector<Setting> settings;
+  sim::Backend backend = sim::Backend::kPlanar;
+};
+
+/// `scanbed export SCENARIO --mjcf F`
+struct ExportCommand {
+  std::string scenario;
+  std::filesystem::path mjcf;  ///< - is standard output
+  std::optional<std::uint64_t> seed;
   std::vector<Setting> settings;
 };
 
@@ -80,13 +102,14 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ListCommand,
-                             ValidateCommand, TextCommand>;
+using Command = std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ExportCommand,
+                             ListCommand, ValidateCommand, TextCommand>;
 
 ExitCode execute(const RunCommand& command);
 ExitCode execute(const DetectCommand& command);
 ExitCode execute(const RenderCommand& command);
 ExitCode execute(const ConvertCommand& command);
+ExitCode execute(const ExportCommand& command);
 ExitCode execute(const ListCommand& command);
 ExitCode execute(const ValidateCommand& command);
 ExitCode execute(const TextCommand& command);

@@ -63,7 +63,8 @@ struct OpenedLaser {
   std::optional<Scenario> scenario;     // where the sensor is simulated
 };
 
-OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings) {
+OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> settings) {
+  const LaserSpec& spec = command.laser;
   if (spec.kind == LaserKind::kLog) {
     if (!settings.empty()) {
       throw InputError("--set " + settings[0].path + ": a recording has no scenario; " +
@@ -75,7 +76,7 @@ OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings)
   }
   if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");
   Scenario scenario = open_scenario(spec.target, settings, std::nullopt);
-  auto sensor = simulate(scenario);
+  auto sensor = simulate(scenario, command.backend);
   return {std::move(sensor), nullptr, std::move(scenario)};
 }
 
@@ -84,7 +85,7 @@ OpenedLaser open_laser(const LaserSpec& spec, std::span<const Setting> settings)
 ExitCode execute(const DetectCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
   FeatureDetector detector(detector_options(command.detector, settings.detector));
-  const OpenedLaser laser = open_laser(command.laser, settings.scenario);
+  const OpenedLaser laser = open_laser(command, settings.scenario);
   Output output(command.out);
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
   if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);

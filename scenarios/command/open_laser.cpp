@@ -29,10 +29,11 @@ Scenario open_scenario(const std::string& name_or_path, std::span<const Setting>
   return scenario;
 }
 
-std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario) {
+std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backend backend) {
   return std::make_unique<sim::SimulatedLms>(
       scenario.world,
-      sim::SimulationOptions{.lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed});
+      sim::SimulationOptions{
+          .lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed, .backend = backend});
 }
 
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {

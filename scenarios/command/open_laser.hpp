@@ -22,8 +22,9 @@ namespace scanbed::scenarios {
 Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
                        std::optional<std::uint64_t> seed);
 
-/// The simulated laser of a scenario. @throws InputError where the world cannot be.
-std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario);
+/// The simulated laser of a scenario. @throws InputError where the world cannot be, or not in this engine.
+std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario,
+                                            sim::Backend backend = sim::Backend::kPlanar);
 
 /// A recording of any format; its damaged lines become warnings, up to twenty of them.
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec);

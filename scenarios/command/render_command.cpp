@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
@@ -8,6 +14,8 @@
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/progress.hpp"
+#include "scenarios/report/video_file.hpp"
 #include "scenarios/run/picture_taker.hpp"
 
 namespace scanbed::scenarios {
@@ -34,24 +42,102 @@ void check_folder(const std::filesystem::path& file) {
   }
 }
 
+// Films of one run, a picture for each moment.
+class Films {
+ public:
+  Films(const RenderCommand& command, double frames_per_s) {
+    const auto add = [&](const std::optional<std::filesystem::path>& path, VideoFormat format) {
+      if (!path) return;
+      check_folder(*path);
+      files_.push_back(std::make_unique<VideoFile>(
+          *path, VideoOptions{format, command.picture.width_px, command.picture.height_px, frames_per_s}));
+      paths_.push_back(*path);
+    };
+    add(command.film.gif, VideoFormat::kGif);
+    add(command.film.mp4, VideoFormat::kMp4);
+  }
+
+  void write(const sim::Image& image) {
+    for (const auto& file : files_) file->write(image);
+  }
+
+  std::string finish() {
+    std::string text;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      files_[i]->finish();
+      text += "film: " + paths_[i].string() + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::unique_ptr<VideoFile>> files_;
+  std::vector<std::filesystem::path> paths_;
+};
+
+// A picture of each moment in time, whatever the rate of the scans: it shows the scan that was last then.
+ExitCode render_film(const RenderCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  const double to_s = command.film.to_s.value_or(scenario.duration_s);
+  const double from_s = command.film.from_s;
+  require(from_s >= 0.0 && from_s < scenario.duration_s, "--from", from_s,
+          fmt::format("[0, {}), within the scenario", scenario.duration_s));
+  require(to_s > from_s && to_s <= scenario.duration_s, "--to", to_s,
+          fmt::format("({}, {}]", from_s, scenario.duration_s));
+  const double frames_per_s = command.film.frames_per_s.value_or(1.0 / scenario.lms.scan_period_s);
+  Films films(command, frames_per_s);
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
+  sim::ScenePainter painter(sensor->world(), command.picture);
+  Progress progress("film");
+  LaserScan scan;
+  const auto num_pictures = static_cast<std::int64_t>(std::ceil((to_s - from_s) * frames_per_s - 1e-9));
+  sim::Image image;
+  std::int64_t painted_scan = -1;
+  for (std::int64_t k = 0; k < num_pictures && !is_interrupted(); ++k) {
+    const double time_s = from_s + static_cast<double>(k) / frames_per_s;
+    while (scan.range_m.empty() || !shows(scenario, scan, time_s)) {
+      if (!sensor->next(scan, kNoWait)) break;
+    }
+    if (scan.index != painted_scan) {
+      const Features& features = detector.detect(scan);
+      image = painter.paint(sensor->state(), scan, features, caption(scenario, scan), sensor->truth());
+      painted_scan = scan.index;
+    }
+    films.write(image);
+    progress.show(k + 1);
+  }
+  if (is_interrupted()) return kExitInterrupted;
+  write_whole(std::nullopt, films.finish());
+  return kExitFine;
+}
+
+ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  require(command.at_s >= 0.0 && command.at_s <= scenario.duration_s, "--at", command.at_s,
+          fmt::format("[0, {}], the scenario's duration", scenario.duration_s));
+  check_folder(*command.out);
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
+  const LaserScan scan = scan_at(scenario, *sensor, command.at_s);
+  if (is_interrupted()) return kExitInterrupted;
+  const Features& features = detector.detect(scan);
+  sim::ScenePainter painter(sensor->world(), command.picture);
+  const sim::Image image =
+      painter.paint(sensor->state(), scan, features, caption(scenario, scan), sensor->truth());
+  sim::write_png(image, *command.out);
+  write_whole(std::nullopt, "picture: " + command.out->string() + "\n");
+  return kExitFine;
+}
+
 }  // namespace
 
 ExitCode execute(const RenderCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
   FeatureDetector detector(detector_options(command.detector, settings.detector));
   const Scenario scenario = open_scenario(command.scenario, settings.scenario, command.seed);
-  require(command.at_s >= 0.0 && command.at_s <= scenario.duration_s, "--at", command.at_s,
-          fmt::format("[0, {}], the scenario's duration", scenario.duration_s));
-  check_folder(command.out);
-  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario);
-  const LaserScan scan = scan_at(scenario, *sensor, command.at_s);
-  if (is_interrupted()) return kExitInterrupted;
-  const Features& features = detector.detect(scan);
-  sim::ScenePainter painter(sensor->world(), command.picture);
-  const sim::Image image = painter.paint(sensor->state(), scan, features, caption(scenario, scan));
-  sim::write_png(image, command.out);
-  write_whole(std::nullopt, "picture: " + command.out.string() + "\n");
-  return kExitFine;
+  if (command.out) {
+    const ExitCode code = render_picture(command, scenario, detector);
+    if (code != kExitFine) return code;
+  }
+  if (!command.film.gif && !command.film.mp4) return kExitFine;
+  return render_film(command, scenario, detector);
 }
 
 }  // namespace scanbed::scenarios

@@ -31,7 +31,7 @@ Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
 }
 
 RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
-  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario);
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
   std::optional<PictureTaker> pictures;
   if (command.out) pictures.emplace(scenario, *sensor, *command.out);
   Recorder recorder = open_recorder(command, scenario);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/scene_picture.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
@@ -8,9 +9,12 @@
 #include "sim/render/cutaway.hpp"
 #include "sim/render/picture_frame.hpp"
 #include "sim/render/scan_overlay.hpp"
+#include "sim/render/scene_grid.hpp"
 #include "sim/render/scene_pen.hpp"
 #include "sim/render/scene_renderer.hpp"
+#include "sim/render/truth_overlay.hpp"
 #include "sim/render/view_camera.hpp"
+#include "sim/spatial/laser_mount.hpp"
 #include "sim/spatial/mjcf.hpp"
 #include "sim/spatial/mujoco_model.hpp"
 #include "sim/spatial/pose_actors.hpp"
@@ -57,10 +61,10 @@ struct ScenePainter::Impl {
   }
 
   Eigen::Isometry3d laser_pose(const WorldState& state) const {
-    const Pose2 X_WS = state.X_WR * world.robot.X_RS;
+    const LaserPlane plane = laser_plane(world.robot, state.X_WR);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() << X_WS.p_m, world.robot.laser_height_m;
-    pose.linear() = Eigen::AngleAxisd(X_WS.theta_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    pose.translation() = plane.p_WS;
+    pose.linear() = plane.R_WS;
     return pose;
   }
 
@@ -76,10 +80,20 @@ struct ScenePainter::Impl {
   OverlayStyle overlay_style() const {
     OverlayStyle style;
     style.scale = options.height_px / 720.0;
-    style.beams = options.view != View::kLaser;
+    style.beams = options.beams && options.view != View::kLaser;
     style.ribbon_m = options.view == View::kLaser ? 0.05 : 0.0;
     return style;
   }
+  double reach_m() const { return std::ceil(0.6 * bounds.sizes().head<2>().norm()); }
+  bool has_plan_scale() const { return options.view == View::kTop && options.grid != Grid::kPolar; }
+
+  // Under what was measured.
+  void draw_grid(ScenePen& pen, const Eigen::Isometry3d& X_WS) const {
+    const double scale = options.height_px / 720.0;
+    if (options.grid == Grid::kPolar) draw_polar_grid(pen, X_WS, reach_m(), scale);
+    if (options.grid == Grid::kCartesian && !has_plan_scale()) draw_cartesian_grid(pen, bounds, scale);
+  }
+
   InkOptions ink() const { return {.hidden_ratio = options.view == View::kTop ? 1.0 : 0.28}; }
 
   World world;
@@ -96,7 +110,7 @@ ScenePainter::ScenePainter(const World& world, const PictureOptions& options)
 ScenePainter::~ScenePainter() = default;
 
 Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const Features& features,
-                          const std::string& caption) {
+                          const std::string& caption, const Truth* truth) {
   Impl& self = *impl_;
   pose_actors(self.world, state, *self.model, *self.data);
   const Eigen::Isometry3d X_WS = self.laser_pose(state);
@@ -105,11 +119,15 @@ Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const 
 
   Canvas canvas(scene.image);
   ScenePen pen(canvas, camera, scene.depth_m, self.ink());
+  self.draw_grid(pen, X_WS);
   draw_scan(pen, X_WS, scan, self.overlay_style());
-  draw_features(pen, X_WS, features, self.overlay_style());
+  if (truth != nullptr && self.options.truth) draw_truth(pen, X_WS, *truth, self.overlay_style().scale);
+  if (self.options.features) draw_features(pen, X_WS, features, self.overlay_style());
+  if (self.options.grid == Grid::kPolar) label_polar_grid(canvas, camera, X_WS, self.reach_m());
+  if (truth != nullptr && self.options.labels) draw_labels(canvas, camera, X_WS, *truth);
   draw_caption(canvas, caption);
   draw_legend(canvas, features, self.options.view == View::kTop ? "" : "floor tiles: 1 m");
-  if (self.options.view == View::kTop) draw_plan_scale(canvas, camera);
+  if (self.has_plan_scale()) draw_plan_scale(canvas, camera);
   return canvas.image();
 }
 

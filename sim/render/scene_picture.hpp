@@ -9,6 +9,7 @@
 
 #include "core/detect/features.hpp"
 #include "core/scan/laser_scan.hpp"
+#include "core/scan/truth.hpp"
 #include "sim/world/world.hpp"
 #include "sim/world/world_state.hpp"
 
@@ -27,10 +28,18 @@ enum class View {
   kLaser
 };  ///< plan from above, oblique over the whole scene, from the laser along its x axis
 
+/// Lines to measure by: on the floor along the world's axes, or about the laser.
+enum class Grid { kNone, kCartesian, kPolar };
+
 struct PictureOptions {
   int width_px = 960;
   int height_px = 720;
   View view = View::kCamera;
+  Grid grid = Grid::kNone;  ///< a plan has its Cartesian lines unless kPolar is asked for
+  bool beams = true;        ///< not in the laser's own view, where they would only be a mess
+  bool features = true;
+  bool truth = false;     ///< outlines of the objects that the scan truly met
+  bool labels = false;    ///< ids of those objects
   void validate() const;  ///< @throws InputError naming the first field out of range
 };
 
@@ -47,8 +56,9 @@ class ScenePainter {
 
   /// @param scan, features  in the sensor frame of state.X_WR * robot.X_RS.
   /// @param caption         one line at the top of the picture.
+  /// @param truth           of the scan; without it truth and labels are not drawn.
   Image paint(const WorldState& state, const LaserScan& scan, const Features& features,
-              const std::string& caption);
+              const std::string& caption, const Truth* truth = nullptr);
 
  private:
   struct Impl;

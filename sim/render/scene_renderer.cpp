@@ -51,7 +51,9 @@ struct SceneRenderer::Impl {
     mjv_defaultFreeCamera(&model, &free_camera);
     mjv_defaultScene(&scene);
     mjr_defaultContext(&context);
-    mjv_makeScene(&model, &scene, model.ngeom + model.ntendon * 8 + 16);
+    // A slack rope hangs in a curve of many pieces.
+    constexpr int kPiecesPerRope = 128;
+    mjv_makeScene(&model, &scene, model.ngeom + model.ntendon * kPiecesPerRope + 64);
     scene.flags[mjRND_SHADOW] = 1;
     scene.flags[mjRND_REFLECTION] = 0;
     scene.flags[mjRND_HAZE] = 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <set>
+
 #include "tests/scenarios/run_program.hpp"
 
 namespace scanbed::scenarios {
@@ -28,6 +31,57 @@ TEST(RenderTest, WritesAPictureOfTheSizeAskedFor) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "picture: " + file + "\n");
     EXPECT_EQ(size_of(testing::read_file(file)), std::pair(320, 200)) << view;
+  }
+}
+
+TEST(RenderTest, MakesFilmsOfAPartOfTheScenario) {
+  if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const testing::TemporaryFolder folder;
+  const std::string gif = (folder / "hall.gif").string();
+  const std::string mp4 = (folder / "hall.mp4").string();
+  const Outcome outcome = run_program(
+      {"render", "static_hallway", "--view", "top",    "--grid", "polar", "--truth", "--labels", "--gif",
+       gif,      "--mp4",          mp4,      "--from", "1",      "--to",  "2",       "--fps",    "3",
+       "--size", "160x120"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "film: " + gif + "\nfilm: " + mp4 + "\n");
+  EXPECT_EQ(testing::read_file(gif).substr(0, 6), "GIF89a");
+  EXPECT_EQ(testing::read_file(mp4).substr(4, 4), "ftyp");
+}
+
+TEST(RenderTest, RefusesFilmsThatCannotBe) {
+  const testing::TemporaryFolder folder;
+  const std::string gif = (folder / "hall.gif").string();
+  for (const std::vector<std::string>& flags : {std::vector<std::string>{"--from", "41"},
+                                                {"--from", "3", "--to", "2"},
+                                                {"--to", "99"},
+                                                {"--fps", "0"},
+                                                {"--fps", "1000"},
+                                                {"--from", "x"}}) {
+    std::vector<std::string> words{"render", "static_hallway", "--gif", gif};
+    words.insert(words.end(), flags.begin(), flags.end());
+    EXPECT_EQ(run_program(words).exit_code, 2) << flags[0] << " " << flags[1];
+  }
+  EXPECT_EQ(run_program({"render", "static_hallway"}).exit_code, 2);
+  EXPECT_EQ(run_program({"render", "static_hallway", "--gif", "/nowhere/hall.gif"}).exit_code, 3);
+}
+
+TEST(RenderTest, OverlaysChangeThePicture) {
+  const testing::TemporaryFolder folder;
+  const std::string file = (folder / "hall.png").string();
+  std::set<std::string> pictures;
+  for (const std::vector<std::string>& flags : {std::vector<std::string>{},
+                                                {"--grid", "polar"},
+                                                {"--grid", "cartesian"},
+                                                {"--no-beams"},
+                                                {"--no-features"},
+                                                {"--truth"},
+                                                {"--labels"}}) {
+    std::vector<std::string> words{"render", "static_hallway", "-o", file, "--size", "320x240"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Outcome outcome = run_program(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(pictures.insert(testing::read_file(file)).second) << (flags.empty() ? "" : flags[0]);
   }
 }
 

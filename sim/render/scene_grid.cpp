@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/scene_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "core/geometry/angles.hpp"
+#include "sim/render/feature_colors.hpp"
+#include "sim/render/picture_frame.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kMostRings = 8;
+
+Vector3d polar(double range_m, double bearing_rad) {
+  return {range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad), 0.0};
+}
+
+}  // namespace
+
+double ring_step_m(double reach_m) {
+  return round_step_m(std::max(1.0, reach_m / kMostRings));
+}
+
+void draw_cartesian_grid(ScenePen& pen, const Eigen::AlignedBox3d& bounds, double scale) {
+  std::vector<ScenePen::Polyline3> lines;
+  const Vector3d least = bounds.min().array().floor();
+  const Vector3d most = bounds.max().array().ceil();
+  for (double x_m = least.x(); x_m <= most.x(); x_m += 1.0) {
+    lines.push_back({{x_m, least.y(), 0.0}, {x_m, most.y(), 0.0}});
+  }
+  for (double y_m = least.y(); y_m <= most.y(); y_m += 1.0) {
+    lines.push_back({{least.x(), y_m, 0.0}, {most.x(), y_m, 0.0}});
+  }
+  pen.stroke_all(lines, {kGridColor, 1.2 * scale});
+}
+
+void draw_polar_grid(ScenePen& pen, const Eigen::Isometry3d& X_WS, double reach_m, double scale) {
+  constexpr int kEdgesPerRing = 180;
+  constexpr int kNumRays = 12;
+  std::vector<ScenePen::Polyline3> lines;
+  const double step_m = ring_step_m(reach_m);
+  const int num_rings = static_cast<int>(reach_m / step_m + 1e-9);
+  for (int ring = 1; ring <= num_rings; ++ring) {
+    ScenePen::Polyline3& line = lines.emplace_back();
+    for (int i = 0; i <= kEdgesPerRing; ++i) {
+      line.push_back(X_WS * polar(ring * step_m, 2.0 * kPi * i / kEdgesPerRing));
+    }
+  }
+  for (int i = 0; i < kNumRays; ++i) {
+    const double bearing_rad = 2.0 * kPi * i / kNumRays;
+    lines.push_back({X_WS * polar(0.5 * step_m, bearing_rad), X_WS * polar(num_rings * step_m, bearing_rad)});
+  }
+  pen.stroke_all(lines, {kGridColor, 1.2 * scale});
+}
+
+void label_polar_grid(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry3d& X_WS,
+                      double reach_m) {
+  const double scale = std::clamp(canvas.height_px() / 720.0, 0.6, 4.0);
+  const TextStyle style{{0.25, 0.27, 0.32, 1.0}, 11.5 * scale};
+  const double step_m = ring_step_m(reach_m);
+  for (int ring = 1; ring * step_m <= reach_m + 1e-9; ++ring) {
+    const std::optional<Projection> projection = camera.project(X_WS * polar(ring * step_m, 0.0));
+    if (!projection) continue;
+    std::ostringstream text;
+    text << ring * step_m << " m";
+    canvas.text(projection->at_px + Eigen::Vector2d(4.0 * scale, -4.0 * scale), text.str(), style);
+  }
+}
+
+}  // namespace scanbed::sim

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/truth_overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/geometry/angles.hpp"
+#include "sim/render/feature_colors.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Vector3d lift(const Vector2d& p_SQ) {
+  return {p_SQ.x(), p_SQ.y(), 0.0};
+}
+
+ScenePen::Polyline3 outline_W(const Eigen::Isometry3d& X_WS, const ObjectTruth& object) {
+  if (object.primitive == Primitive::kLine) return {X_WS * lift(object.from_m), X_WS * lift(object.to_m)};
+  constexpr int kNumEdges = 48;
+  ScenePen::Polyline3 ring;
+  for (int i = 0; i <= kNumEdges; ++i) {
+    const double angle_rad = 2.0 * kPi * i / kNumEdges;
+    const Vector2d on_ring = object.radius_m * Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+    ring.push_back(X_WS * lift(object.center_m + on_ring));
+  }
+  return ring;
+}
+
+bool is_shown(const ObjectTruth& object) {
+  return object.num_clean_beams > 0 && object.primitive != Primitive::kNone;
+}
+
+}  // namespace
+
+void draw_truth(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Truth& truth, double scale) {
+  for (const ObjectTruth& object : truth.objects) {
+    if (is_shown(object)) pen.stroke(outline_W(X_WS, object), {kTruthColor, 1.6 * scale});
+  }
+}
+
+void draw_labels(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry3d& X_WS,
+                 const Truth& truth) {
+  const double scale = std::clamp(canvas.height_px() / 720.0, 0.6, 4.0);
+  const TextStyle halo{{1.0, 1.0, 1.0, 0.8}, 12.0 * scale, true};
+  const TextStyle ink{kTruthColor, 12.0 * scale, true};
+  for (const ObjectTruth& object : truth.objects) {
+    if (!is_shown(object)) continue;
+    const bool is_line = object.primitive == Primitive::kLine;
+    const Vector2d place_m = is_line ? Vector2d(0.5 * (object.from_m + object.to_m)) : object.center_m;
+    const std::optional<Projection> projection = camera.project(X_WS * lift(place_m));
+    if (!projection) continue;
+    const double width_px = canvas.text_width_px(object.id, ink);
+    const Vector2d at_px = projection->at_px + Vector2d(-0.5 * width_px, -9.0 * scale);
+    for (const Vector2d& off_px : {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1)}) {
+      canvas.text(at_px + scale * off_px, object.id, halo);
+    }
+    canvas.text(at_px, object.id, ink);
+  }
+}
+
+}  // namespace scanbed::sim
