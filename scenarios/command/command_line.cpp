@@ -46,7 +46,16 @@ struct TypedFlags {
   std::string from = "0";
   std::string to;
   std::string frames_per_s;
+  std::string truth_file;
+  std::string link;
+  std::string address = "0";
+  std::string baud = "9600";
+  std::string duration;
+  std::vector<std::string> faults;
+  std::vector<std::string> ports;
   bool quiet = false;
+  bool unpaced = false;
+  bool probe = false;
 };
 
 std::string table_two_text() {
@@ -89,6 +98,16 @@ Examples:
   scanbed convert killed.mcap.part whole.mcap)";
 constexpr const char* kExportHelp = R"(Example:
   scanbed export static_hallway --mjcf hall.xml)";
+constexpr const char* kEmulateHelp =
+    R"(Prints the port, then serves it. The world begins anew where the scenario ends.
+Faults: garbage, half, flip, blind_pair, nak, miss, refuse, silence, reboot, unplug, pollution.
+Examples:
+  scanbed emulate static_hallway --link /tmp/lms --truth truth.jsonl
+  scanbed run static_hallway --laser sick:/tmp/lms --truth truth.jsonl
+  scanbed emulate static_hallway --link /tmp/lms --fault flip@3 --fault reboot@10)";
+constexpr const char* kDevicesHelp = R"(Examples:
+  scanbed devices
+  scanbed devices --probe /dev/ttyUSB0)";
 constexpr const char* kValidateHelp = R"(Example:
   scanbed validate my_hall.yaml static_hallway)";
 
@@ -122,7 +141,11 @@ CLI::App* add_run(CLI::App& app, TypedFlags& flags) {
   run->add_option("SCENARIO", flags.scenarios, "Names of the library or YAML files")
       ->required()
       ->type_name("");
-  run->add_option("--laser", flags.laser, "sim or log:FILE")->type_name("SPEC")->capture_default_str();
+  run->add_option("--laser", flags.laser, "sim, log:FILE, sick:PORT, scip:PORT or cola:HOST")
+      ->type_name("SPEC")
+      ->capture_default_str();
+  run->add_option("--truth", flags.truth_file, "Truth of a device's scans, as emulate writes it")
+      ->type_name("FILE");
   run->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
   run->add_option("--json", flags.json, "Write results as JSON; - is standard output")->type_name("FILE");
   run->add_option("--out", flags.out, "Write the scenario's pictures here")->type_name("DIR");
@@ -138,7 +161,8 @@ CLI::App* add_detect(CLI::App& app, TypedFlags& flags) {
   CLI::App* detect = app.add_subcommand("detect", "Print the features of each scan as JSON Lines");
   detect
       ->add_option("--laser", flags.laser,
-                   "log:FILE[?only=NAME&no_return=METRES&speed=X&from=S&to=S] or sim:SCENARIO")
+                   "log:FILE[?only=NAME&no_return=METRES&speed=X&from=S&to=S], sim:SCENARIO, "
+                   "sick:PORT[?baud=38400&fov_deg=180&resolution_deg=0.5&unit=mm], scip:PORT or cola:HOST")
       ->type_name("SPEC")
       ->required();
   detect->add_option("--limit", flags.limit, "Stop after N scans")->type_name("N");
@@ -203,6 +227,38 @@ CLI::App* add_export(CLI::App& app, TypedFlags& flags) {
   add_settings(*command, flags);
   command->footer(kExportHelp);
   return command;
+}
+
+CLI::App* add_emulate(CLI::App& app, TypedFlags& flags) {
+  CLI::App* emulate = app.add_subcommand("emulate", "Be an LMS 200 in a scenario's world, at a serial port");
+  emulate->add_option("SCENARIO", flags.scenarios, "Name of the library or YAML file")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  emulate->add_option("--link", flags.link, "Name for the port")->type_name("PATH");
+  emulate->add_option("--truth", flags.truth_file, "Write truth of each scan that is sent")
+      ->type_name("FILE");
+  emulate->add_flag("--unpaced", flags.unpaced, "As fast as the host reads, not as fast as the link");
+  emulate->add_option("--fault", flags.faults, "Something goes wrong at a time; may be repeated")
+      ->type_name("NAME@SECONDS")
+      ->allow_extra_args(false);
+  emulate->add_option("--address", flags.address, "Of the sensor: 0 or 1")
+      ->type_name("N")
+      ->capture_default_str();
+  emulate->add_option("--baud", flags.baud, "After power-on")->type_name("BAUD")->capture_default_str();
+  emulate->add_option("--for", flags.duration, "End after so many seconds")->type_name("SECONDS");
+  emulate->add_option("--seed", flags.seed, "In place of the scenario's own")->type_name("N");
+  add_settings(*emulate, flags);
+  emulate->footer(kEmulateHelp);
+  return emulate;
+}
+
+CLI::App* add_devices(CLI::App& app, TypedFlags& flags) {
+  CLI::App* devices = app.add_subcommand("devices", "List serial ports, and what is at them");
+  devices->add_option("PORT", flags.ports, "These alone")->type_name("");
+  devices->add_flag("--probe", flags.probe, "Ask each port for an LMS; sends bytes to whatever is there");
+  devices->footer(kDevicesHelp);
+  return devices;
 }
 
 CLI::App* add_validate(CLI::App& app, TypedFlags& flags) {
@@ -315,6 +371,7 @@ RunCommand to_run(const TypedFlags& flags) {
           .json = to_path(flags.json),
           .out = to_path(flags.out),
           .record = to_path(flags.record),
+          .truth = to_path(flags.truth_file),
           .quiet = flags.quiet,
           .backend = to_backend(flags)};
 }
@@ -353,6 +410,22 @@ ExportCommand to_export(const TypedFlags& flags) {
           .settings = to_settings(flags)};
 }
 
+EmulateCommand to_emulate(const TypedFlags& flags) {
+  EmulateCommand command{.scenario = flags.scenarios.front(),
+                         .link = flags.link,
+                         .truth = to_path(flags.truth_file),
+                         .is_unpaced = flags.unpaced,
+                         .seed = to_seed(flags.seed),
+                         .settings = to_settings(flags)};
+  for (const std::string& fault : flags.faults) command.faults.push_back(hw::parse_lms_fault(fault));
+  const std::int64_t address = to_count("--address", flags.address, 0);
+  require(address <= 127, "--address", static_cast<double>(address), "[0, 127]");
+  command.address = static_cast<std::uint8_t>(address);
+  command.baud = static_cast<int>(std::min<std::int64_t>(to_count("--baud", flags.baud, 1), 1000000));
+  if (!flags.duration.empty()) command.duration_s = to_time_s("--for", flags.duration);
+  return command;
+}
+
 // The parser would only say that a subcommand is missing.
 void check_command(const CLI::App& app, int argc, const char* const* argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -384,6 +457,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   const CLI::App* convert = add_convert(app, flags);
   const CLI::App* exported = add_export(app, flags);
   const CLI::App* list = app.add_subcommand("list", "List the scenarios of the library");
+  const CLI::App* emulate = add_emulate(app, flags);
+  const CLI::App* devices = add_devices(app, flags);
   add_validate(app, flags);
   check_command(app, argc, argv);
   try {
@@ -403,6 +478,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   if (exported->parsed()) return to_export(flags);
   if (list->parsed()) return ListCommand{};
+  if (emulate->parsed()) return to_emulate(flags);
+  if (devices->parsed()) return DevicesCommand{flags.ports, flags.probe};
   return ValidateCommand{flags.scenarios};
 }
 

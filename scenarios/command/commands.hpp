@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hw/sick/emulator_options.hpp"
 #include "scenarios/load/set_path.hpp"
 #include "scenarios/run/detector_settings.hpp"
 #include "scenarios/run/laser_spec.hpp"
@@ -38,6 +39,7 @@ struct RunCommand {
   std::optional<std::filesystem::path> json;
   std::optional<std::filesystem::path> out;     ///< folder for pictures
   std::optional<std::filesystem::path> record;  ///< recording to write
+  std::optional<std::filesystem::path> truth;   ///< of scans that come from a device
   bool quiet = false;
   sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers
 };
@@ -89,6 +91,26 @@ struct ConvertCommand {
   std::filesystem::path to;
 };
 
+/// `scanbed emulate SCENARIO --link PATH`
+struct EmulateCommand {
+  std::string scenario;
+  std::filesystem::path link;  ///< empty: the port has its own name alone
+  std::optional<std::filesystem::path> truth;
+  bool is_unpaced = false;
+  std::vector<hw::LmsFault> faults;
+  std::uint8_t address = 0;
+  int baud = 9600;
+  std::optional<double> duration_s;  ///< empty: until it is interrupted
+  std::optional<std::uint64_t> seed;
+  std::vector<Setting> settings;
+};
+
+/// `scanbed devices [--probe] [PORT...]`
+struct DevicesCommand {
+  std::vector<std::string> ports;  ///< empty: all that the system knows
+  bool is_probing = false;
+};
+
 /// `scanbed list`
 struct ListCommand {};
 
@@ -103,13 +125,15 @@ struct TextCommand {
 };
 
 using Command = std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ExportCommand,
-                             ListCommand, ValidateCommand, TextCommand>;
+                             EmulateCommand, DevicesCommand, ListCommand, ValidateCommand, TextCommand>;
 
 ExitCode execute(const RunCommand& command);
 ExitCode execute(const DetectCommand& command);
 ExitCode execute(const RenderCommand& command);
 ExitCode execute(const ConvertCommand& command);
 ExitCode execute(const ExportCommand& command);
+ExitCode execute(const EmulateCommand& command);
+ExitCode execute(const DevicesCommand& command);
 ExitCode execute(const ListCommand& command);
 ExitCode execute(const ValidateCommand& command);
 ExitCode execute(const TextCommand& command);

@@ -12,6 +12,7 @@
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/report/feature_line.hpp"
+#include "scenarios/run/live_sensor.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -73,6 +74,14 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
     auto log = open_log(spec);
     const hw::ScanReader* counts = log.get();
     return {std::move(log), counts, std::nullopt};
+  }
+  if (spec.is_device()) {
+    if (!settings.empty()) {
+      throw InputError("--set " + settings[0].path + ": a device has no scenario; " +
+                       "allowed: the detector's parameters, see 'scanbed detect --help'");
+    }
+    return {std::make_unique<LiveSensor>(open_device(spec), LiveOptions{.is_interrupted = is_interrupted}),
+            nullptr, std::nullopt};
   }
   if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");
   Scenario scenario = open_scenario(spec.target, settings, std::nullopt);

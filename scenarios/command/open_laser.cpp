@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hw/sick/sick_lms.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"
@@ -47,6 +48,12 @@ std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
   auto reader = hw::open_recording(spec.target, spec.log, report);
   if (!replay.speed && replay.from_s == 0.0 && std::isinf(replay.to_s)) return reader;
   return std::make_unique<hw::PacedReplay>(std::move(reader), replay);
+}
+
+std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec) {
+  if (spec.kind == LaserKind::kScip) return hw::open_scip(spec.scip);
+  if (spec.kind == LaserKind::kCola) return hw::open_cola(spec.cola);
+  return std::make_unique<hw::SickLms>(spec.sick);
 }
 
 std::string to_text(const hw::RecordingCounts& counts) {

@@ -29,6 +29,9 @@ std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario,
 /// A recording of any format; its damaged lines become warnings, up to twenty of them.
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec);
 
+/// A laser at a port or in the network. @pre  spec.is_device().
+std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec);
+
 /// "37 scans, 0 damaged lines, 3 other lines".
 std::string to_text(const hw::RecordingCounts& counts);
 

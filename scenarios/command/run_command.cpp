@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "core/errors/input_error.hpp"
@@ -13,6 +14,7 @@
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/report/run_json.hpp"
 #include "scenarios/report/score_table.hpp"
+#include "scenarios/run/live_sensor.hpp"
 #include "scenarios/run/picture_taker.hpp"
 #include "scenarios/run/run_scenario.hpp"
 
@@ -64,7 +66,34 @@ RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, F
   return run;
 }
 
+// As many scans of a device as the scenario's simulated laser would give.
+RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  const double num_scans = std::ceil(scenario.duration_s / scenario.lms.scan_period_s - 1e-9);
+  LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
+                                                 .is_interrupted = is_interrupted,
+                                                 .truth = command.truth});
+  Recorder recorder = open_recorder(command, scenario);
+  Progress progress(scenario.name);
+  RunAndPictures run;
+  run.result = run_scenario(scenario, sensor, detector, [&](const LaserScan& scan, const Features& features) {
+    recorder.see(scan, features, sensor);
+    progress.show(scan.index + 1);
+    return !is_interrupted();
+  });
+  recorder.finish();
+  return run;
+}
+
+RunAndPictures run_one(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+  if (command.laser.is_device()) return run_on_device(command, scenario, detector);
+  if (command.laser.kind == LaserKind::kLog) return run_on_log(command, scenario, detector);
+  return run_simulated(command, scenario, detector);
+}
+
 void check(const RunCommand& command) {
+  if (command.truth && !command.laser.is_device()) {
+    throw InputError("--truth: only for scans of a device; write --laser sick:PORT");
+  }
   if (!command.laser.target.empty() && command.laser.kind == LaserKind::kSimulated) {
     throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
   }
@@ -107,8 +136,7 @@ ExitCode execute(const RunCommand& command) {
   const bool prints_table = !command.quiet && command.json != "-";
   for (const Scenario& scenario : scenarios) {
     if (is_interrupted()) break;
-    RunAndPictures run = command.laser.kind == LaserKind::kLog ? run_on_log(command, scenario, detector)
-                                                               : run_simulated(command, scenario, detector);
+    RunAndPictures run = run_one(command, scenario, detector);
     run.result.laser = command.laser.text;
     run.result.preset = command.detector.preset;
     if (prints_table) write_whole(std::nullopt, (results.empty() ? "" : "\n") + describe(run));

@@ -106,7 +106,7 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   EXPECT_NE(refused({"run", scenario("a: [\n")}).find("not valid YAML"), std::string::npos);
   EXPECT_NE(refused({"run", scenario("")}).find("is empty"), std::string::npos);
   refused({"run", "/nowhere/a.yaml"});
-  refused({"run", scenario(kEasy), "--laser", "sick:/dev/null"});
+  refused({"run", scenario(kEasy), "--laser", "sick:/dev/ttyS0?baud=1"});
   refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
   refused({"run", scenario(kEasy), "--preset", "rubust"});
   refused({"run", scenario(kEasy), "--config", "/nowhere.yaml"});

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/serial/bytes.hpp"
+
+namespace scanbed::hw {
+
+/// Puts STX and ETX around a body.
+Bytes frame_cola(std::string_view body);
+
+/// Cuts a stream of bytes into the bodies between STX and ETX. A new STX begins anew, so that garbage and
+/// half frames cost nothing else; a body longer than any sensor's is dropped.
+class ColaReader {
+ public:
+  void feed(ByteView bytes);
+  /// The next whole body; false where none is complete.
+  bool next(std::string& body);
+
+ private:
+  std::string buffer_;
+};
+
+/// Fields of a body, cut at single blanks.
+class ColaTokens {
+ public:
+  explicit ColaTokens(std::string_view body) : rest_(body) {}
+
+  bool is_at_end() const { return is_done_; }
+  /// The next field; "" at the end, which then shows in is_at_end().
+  std::string_view next();
+  /// The next field as hexadecimal number of at most 32 bits; empty where it is none.
+  std::optional<std::uint32_t> next_hex();
+  std::optional<std::int32_t> next_signed();  ///< in two's complement of 32 bits
+  std::optional<float> next_float();          ///< of exactly 8 digits
+  /// `count` characters as they are, blanks included; false where there are fewer.
+  bool skip_text(std::size_t count);
+
+ private:
+  std::string_view rest_;
+  bool is_done_ = false;
+};
+
+/// A number as a device writes it: hexadecimal, upper case, no leading zeros.
+std::string to_cola_hex(std::uint32_t value);
+std::string to_cola_hex(float value);
+
+/// "method access denied" and such, for the number behind sFA.
+std::string cola_error_text(std::uint32_t code);
+
+}  // namespace scanbed::hw

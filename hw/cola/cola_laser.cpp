@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "hw/cola/cola_laser.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/errors/input_error.hpp"
+#include "hw/cola/cola_scan.hpp"
+#include "hw/serial/device_clock.hpp"
+#include "hw/serial/steady_clock.hpp"
+#include "hw/serial/tcp_link.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr const char* kClientPassword = "F4724744";
+constexpr double kPollPause_s = 0.5;
+constexpr int kMostDamaged = 5;
+constexpr std::uint32_t kMeasuring = 7;
+
+bool is_error(const std::string& answer) {
+  return answer.starts_with("sFA");
+}
+
+std::string error_of(const std::string& answer) {
+  ColaTokens tokens(answer);
+  tokens.next();
+  return cola_error_text(tokens.next_hex().value_or(6));
+}
+
+/// The number at the end of an answer such as "sAN SetAccessMode 1".
+std::uint32_t result_of(const std::string& answer, std::uint32_t if_none) {
+  ColaTokens tokens(answer);
+  tokens.next();
+  tokens.next();
+  return tokens.next_hex().value_or(if_none);
+}
+
+void log_in(ColaClient& client) {
+  const std::string answer = client.ask(std::string("sMN SetAccessMode 03 ") + kClientPassword);
+  if (is_error(answer)) throw DeviceRefusal("the sensor refused the log-in: " + error_of(answer));
+  if (result_of(answer, 0) == 1) return;
+  throw DeviceRefusal("the sensor refused the log-in as authorised client; was its password changed?");
+}
+
+/// An LMS tells when its motor is up; a TiM does not know the question and scans by itself.
+void wait_for_motor(ColaClient& client, double patience_s, const StopSignal& stop) {
+  const double deadline_s = steady_now_s() + patience_s;
+  while (true) {
+    const std::string answer = client.ask("sRN STlms");
+    if (is_error(answer) || result_of(answer, kMeasuring) == kMeasuring) return;
+    if (steady_now_s() > deadline_s) {
+      throw SensorFault(SensorFault::Kind::kTimeout, "the sensor does not begin to measure");
+    }
+    stop.sleep(kPollPause_s);
+  }
+}
+
+void start(ColaClient& client, const ColaOptions& options, const StopSignal& stop) {
+  client.ask("sEN LMDscandata 0");  // of a client that was here before
+  log_in(client);
+  // Distances of the first echo alone. Sensors that fix this refuse it; what they send is taken as it comes.
+  client.ask("sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1");
+  client.ask("sMN LMCstartmeas");
+  client.ask("sMN Run");  // while logged in, an LMS sends nothing
+  wait_for_motor(client, options.spin_up_s, stop);
+  const std::string answer = client.ask("sEN LMDscandata 1");
+  if (is_error(answer)) throw DeviceRefusal("the sensor refused to stream: " + error_of(answer));
+}
+
+void stream(ColaClient& client, const RecoveringLaser::Give& give) {
+  DeviceClock clock(32, 1e-6);
+  double silence_s = 2.0;
+  std::string body;
+  LaserScan scan;
+  for (int num_damaged = 0; num_damaged < kMostDamaged;) {
+    if (!client.next_scan(body, silence_s)) {
+      throw SensorFault(SensorFault::Kind::kTimeout, "the stream fell silent");
+    }
+    const auto telegram = parse_cola_scan(body);
+    if (!telegram || !to_laser_scan(*telegram, scan)) {
+      ++num_damaged;
+      continue;
+    }
+    num_damaged = 0;
+    scan.time_s = clock.to_local_s(telegram->start_us, steady_now_s());
+    if (telegram->frequency_chz > 0) silence_s = 1.0 + 3.0 * std::min(10.0, 100.0 / telegram->frequency_chz);
+    give(scan);
+  }
+  throw SensorFault(SensorFault::Kind::kProtocol, "nothing but damaged scans");
+}
+
+void attempt(const ColaOptions& options, const RecoveringLaser::Give& give, const StopSignal& stop) {
+  TcpLink link(options.host, options.port, options.connect_s, stop);
+  ColaClient client(link, options.reply_s, stop);
+  try {
+    start(client, options, stop);
+    stream(client, give);
+  } catch (const Stopped&) {
+    const StopSignal not_given;
+    ColaClient(link, 0.0, not_given).send("sEN LMDscandata 0");
+    throw;
+  }
+}
+
+}  // namespace
+
+void ColaOptions::validate() const {
+  if (host.empty()) throw InputError("cola: no host; write cola:192.168.0.1");
+  require(port > 0 && port <= 65535, "cola.port", port, "[1, 65535]");
+}
+
+ColaClient::ColaClient(ByteLink& link, double reply_s, const StopSignal& stop)
+    : link_(link), reply_s_(reply_s), stop_(stop) {}
+
+void ColaClient::send(const std::string& request) {
+  link_.write(frame_cola(request), stop_);
+}
+
+bool ColaClient::next_body(std::string& body, double deadline_s) {
+  std::array<std::uint8_t, 8192> buffer{};
+  while (!reader_.next(body)) {
+    const double left_s = deadline_s - steady_now_s();
+    if (left_s < 0.0) return false;
+    const std::size_t count = link_.read(buffer, left_s, stop_);
+    const ByteView bytes = ByteView(buffer).first(count);
+    // Frames of CoLa B begin with four of them.
+    if (count >= 4 &&
+        std::all_of(bytes.begin(), bytes.begin() + 4, [](std::uint8_t b) { return b == 0x02; })) {
+      throw DeviceRefusal(
+          "the sensor speaks CoLa B here; set it to CoLa A, or try the other port (2111, 2112)");
+    }
+    reader_.feed(bytes);
+  }
+  return true;
+}
+
+std::string ColaClient::ask(const std::string& request) {
+  send(request);
+  ColaTokens tokens(request);
+  tokens.next();
+  const std::string name(tokens.next());
+  const double deadline_s = steady_now_s() + reply_s_;
+  std::string body;
+  while (next_body(body, deadline_s)) {
+    ColaTokens answer(body);
+    const std::string_view kind = answer.next();
+    if (kind == "sFA") return body;
+    const bool is_answer = kind == "sAN" || kind == "sRA" || kind == "sWA" || kind == "sEA";
+    if (is_answer && answer.next() == name) return body;
+  }
+  throw SensorFault(SensorFault::Kind::kTimeout, "no answer to " + request);
+}
+
+bool ColaClient::next_scan(std::string& body, double timeout_s) {
+  const double deadline_s = steady_now_s() + timeout_s;
+  while (next_body(body, deadline_s)) {
+    if (body.starts_with("sSN LMDscandata")) return true;
+  }
+  return false;
+}
+
+std::unique_ptr<RangeSensor> open_cola(const ColaOptions& options) {
+  options.validate();
+  return std::make_unique<RecoveringLaser>(
+      options.host + ":" + std::to_string(options.port), options.recovery,
+      [options](const RecoveringLaser::Give& give, const StopSignal& stop) { attempt(options, give, stop); });
+}
+
+}  // namespace scanbed::hw

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "hw/scip/scip_laser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/errors/input_error.hpp"
+#include "hw/serial/serial_port.hpp"
+#include "hw/serial/steady_clock.hpp"
+#include "hw/serial/tcp_link.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+constexpr int kSyncTries = 4;
+constexpr int kMostDamaged = 5;
+constexpr std::size_t kHeadLines = 3;   // echo, status, time
+constexpr std::size_t kEchoChars = 13;  // of an MD command, without the number of scans, which counts down
+constexpr std::array<int, 6> kBauds = {19200, 57600, 115200, 250000, 500000, 750000};
+
+std::unique_ptr<ByteLink> open_link(const ScipOptions& options, const StopSignal& stop) {
+  if (!options.path.empty()) return std::make_unique<SerialPort>(options.path);
+  return std::make_unique<TcpLink>(options.host, options.port, options.connect_s, stop);
+}
+
+bool answers_at(ByteLink& link, ScipClient& client, int baud) {
+  link.set_baud(baud);
+  return client.synchronise();
+}
+
+/// Finds the baud of a serial sensor; a network has none.
+void find_sensor(const ScipOptions& options, ByteLink& link, ScipClient& client) {
+  if (answers_at(link, client, options.baud)) return;
+  for (const int baud : kBauds) {
+    const bool is_new = !options.path.empty() && baud != options.baud;
+    if (is_new && answers_at(link, client, baud)) return;
+  }
+  throw SensorFault(SensorFault::Kind::kTimeout,
+                    options.name() + ": no SCIP sensor answers; is it on, and is this its port?");
+}
+
+ScipParameters read_parameters(const ScipOptions& options, ScipClient& client) {
+  const auto parameters = parse_scip_parameters(client.ask("PP"));
+  if (parameters) return *parameters;
+  throw SensorFault(SensorFault::Kind::kProtocol, options.name() + ": its parameters (PP) make no sense");
+}
+
+void stream(ScipClient& client, const ScipParameters& parameters, const RecoveringLaser::Give& give) {
+  ScipScans scans(parameters);
+  const std::string status = scip_status(client.ask(scans.command()));
+  if (status != "00") {
+    throw SensorFault(SensorFault::Kind::kProtocol,
+                      "the sensor refused " + scans.command() + ": status " + status);
+  }
+  const double silence_s = std::max(1.0, 16.0 * parameters.scan_period_s());
+  std::vector<std::string> lines;
+  LaserScan scan;
+  for (int num_damaged = 0; num_damaged < kMostDamaged;) {
+    if (!client.next_message(lines, silence_s)) {
+      throw SensorFault(SensorFault::Kind::kTimeout, "the stream fell silent");
+    }
+    const ScipScans::Outcome outcome = scans.take(lines, steady_now_s(), scan);
+    if (outcome == ScipScans::Outcome::kFault) {
+      throw SensorFault(SensorFault::Kind::kProtocol, "the sensor stopped: status " + scip_status(lines));
+    }
+    num_damaged = outcome == ScipScans::Outcome::kDamaged ? num_damaged + 1 : 0;
+    if (outcome == ScipScans::Outcome::kScan) give(scan);
+  }
+  throw SensorFault(SensorFault::Kind::kProtocol, "nothing but damaged scans");
+}
+
+void attempt(const ScipOptions& options, const RecoveringLaser::Give& give, const StopSignal& stop) {
+  const std::unique_ptr<ByteLink> link = open_link(options, stop);
+  ScipClient client(*link, options.reply_s, stop);
+  try {
+    find_sensor(options, *link, client);
+    stream(client, read_parameters(options, client), give);
+  } catch (const Stopped&) {
+    const StopSignal not_given;
+    ScipClient(*link, 0.0, not_given).send("QT");
+    throw;
+  }
+}
+
+}  // namespace
+
+void ScipOptions::validate() const {
+  if (path.empty() && host.empty())
+    throw InputError("scip: no port; write scip:/dev/ttyACM0 or scip:HOST:10940");
+  require(port > 0 && port <= 65535, "scip.port", port, "[1, 65535]");
+  require(baud > 0 && baud <= 4000000, "scip.baud", baud, "[1, 4000000]");
+}
+
+std::string scip_status(const std::vector<std::string>& lines) {
+  if (lines.size() < 2) return "";
+  const auto body = strip_sum(lines[1]);
+  return body && body->size() == 2 ? std::string(*body) : "";
+}
+
+ScipClient::ScipClient(ByteLink& link, double reply_s, const StopSignal& stop)
+    : link_(link), reply_s_(reply_s), stop_(stop) {}
+
+void ScipClient::send(const std::string& command) {
+  const std::string line = command + "\n";
+  link_.write({reinterpret_cast<const std::uint8_t*>(line.data()), line.size()}, stop_);
+}
+
+bool ScipClient::next_message(std::vector<std::string>& lines, double timeout_s) {
+  const double deadline_s = steady_now_s() + timeout_s;
+  std::array<std::uint8_t, 4096> buffer{};
+  while (!reader_.next(lines)) {
+    const double left_s = deadline_s - steady_now_s();
+    if (left_s < 0.0) return false;
+    const std::size_t count = link_.read(buffer, left_s, stop_);
+    reader_.feed({reinterpret_cast<const char*>(buffer.data()), count});
+  }
+  return true;
+}
+
+std::vector<std::string> ScipClient::ask(const std::string& command) {
+  send(command);
+  const double deadline_s = steady_now_s() + reply_s_;
+  std::vector<std::string> lines;
+  while (next_message(lines, std::max(0.0, deadline_s - steady_now_s()))) {
+    // The end of a message cut off may stand before the echo.
+    const auto echo = std::find(lines.begin(), lines.end(), command);
+    if (echo != lines.end()) return {echo, lines.end()};
+    if (steady_now_s() > deadline_s) break;
+  }
+  throw SensorFault(SensorFault::Kind::kTimeout, "no answer to " + command);
+}
+
+bool ScipClient::synchronise() {
+  reader_.clear();
+  for (int i = 0; i < kSyncTries; ++i) {
+    try {
+      const std::vector<std::string> reply = ask("QT");
+      const std::string status = scip_status(reply);
+      if (status == "00") return true;
+      // SCIP 1.1 has one character without a sum; 0E comes while the clock is being set.
+      if (reply.size() > 1 && reply[1] == "E") ask("SCIP2.0");
+      if (status == "0E") ask("TM2");
+    } catch (const SensorFault& fault) {
+      if (fault.kind() != SensorFault::Kind::kTimeout) throw;
+      reader_.clear();
+      if (i >= 1) return false;
+    }
+  }
+  return false;
+}
+
+ScipScans::ScipScans(const ScipParameters& parameters)
+    : parameters_(parameters), geometry_(parameters.geometry()) {}
+
+std::string ScipScans::command() const {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "MD%04d%04d01000", parameters_.first_step, parameters_.last_step);
+  return text.data();
+}
+
+bool ScipScans::read_ranges(const std::string& data, LaserScan& scan) const {
+  const auto num_beams = static_cast<std::size_t>(parameters_.num_beams());
+  if (data.size() != 3 * num_beams) return false;
+  scan.range_m.resize(num_beams);
+  for (std::size_t i = 0; i < num_beams; ++i) {
+    const auto range_mm = decode_scip(std::string_view(data).substr(3 * i, 3));
+    if (!range_mm) return false;
+    const bool is_range = *range_mm >= parameters_.min_range_mm && *range_mm <= parameters_.max_range_mm;
+    scan.range_m[i] = is_range ? static_cast<double>(*range_mm) / 1000.0 : kNoEcho;
+  }
+  return true;
+}
+
+ScipScans::Outcome ScipScans::take(const std::vector<std::string>& lines, double arrival_s, LaserScan& scan) {
+  if (lines.size() < 2 || lines[0].substr(0, kEchoChars) != command().substr(0, kEchoChars))
+    return Outcome::kOther;
+  const std::string status = scip_status(lines);
+  if (status == "00") return Outcome::kOther;
+  if (status.empty()) return Outcome::kDamaged;
+  if (status != "99") return Outcome::kFault;
+  if (lines.size() <= kHeadLines) return Outcome::kDamaged;
+  const auto time_text = strip_sum(lines[2]);
+  const auto stamp = time_text && time_text->size() == 4 ? decode_scip(*time_text) : std::nullopt;
+  const auto data = join_scip_blocks({lines.begin() + kHeadLines, lines.end()});
+  if (!stamp || !data || !read_ranges(*data, scan)) return Outcome::kDamaged;
+  scan.time_s = clock_.to_local_s(*stamp, arrival_s);
+  scan.geometry = geometry_;
+  scan.X_OR.reset();
+  scan.source.clear();
+  scan.health = {};
+  return Outcome::kScan;
+}
+
+std::unique_ptr<RangeSensor> open_scip(const ScipOptions& options) {
+  options.validate();
+  return std::make_unique<RecoveringLaser>(
+      options.name(), options.recovery,
+      [options](const RecoveringLaser::Give& give, const StopSignal& stop) { attempt(options, give, stop); });
+}
+
+}  // namespace scanbed::hw

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hw/sick/emulator_options.hpp"
+#include "hw/sick/scan_feed.hpp"
+#include "scenarios/load/scenario.hpp"
+
+namespace scanbed::scenarios {
+
+/// An emulated LMS that comes up as the scenario's sensor is set: its variant and its unit.
+hw::EmulatorOptions emulator_options(const Scenario& scenario);
+
+/// The scenario's scans as whatever the emulator's host configures. With the scenario's own settings they are
+/// those of its simulated laser, bit for bit.
+hw::ScanSource scenario_scans(const Scenario& scenario);
+
+}  // namespace scanbed::scenarios

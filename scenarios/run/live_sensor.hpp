@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/scan/range_sensor.hpp"
+#include "scenarios/run/truth_file.hpp"
+
+namespace scanbed::scenarios {
+
+struct LiveOptions {
+  double patience_s = 90.0;           ///< without a scan, before it is an error; a sensor may start for 60 s
+  std::optional<std::int64_t> limit;  ///< scans after which the stream ends
+  std::function<bool()> is_interrupted;        ///< asked ten times a second; true ends the stream
+  std::optional<std::filesystem::path> truth;  ///< where truth of the scans is found
+};
+
+/// A device as an end to a stream: waits for it in small steps, so that the user can break it off, ends after
+/// as many scans as are wanted, and joins scans with truth that came another way.
+class LiveSensor final : public RangeSensor {
+ public:
+  /// @throws InputError where the truth's file cannot be read.
+  LiveSensor(std::unique_ptr<RangeSensor> device, const LiveOptions& options);
+
+  const ScanGeometry& geometry() const override;
+
+  /// Waits as options.patience_s says, whatever `timeout`.
+  /// @throws SensorFault of the device; its kTimeout once patience is out.
+  bool next(LaserScan& scan, Seconds timeout) override;
+
+  const Truth* truth() const override { return truth_; }
+
+ private:
+  bool wait_for_scan(LaserScan& scan);
+
+  std::unique_ptr<RangeSensor> device_;
+  LiveOptions options_;
+  std::optional<TruthReader> reader_;
+  const Truth* truth_ = nullptr;
+  std::int64_t num_scans_ = 0;
+};
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/scan/truth.hpp"
+
+namespace scanbed::scenarios {
+
+/// What tells one scan from another by its ranges, whichever way it came.
+std::uint64_t range_hash(std::span<const double> range_m);
+
+/// One line of a truth file: {"scan":0,"hash":"9ae16a3b2f90404f","X_WS":[x,y,theta],"objects":[...],
+/// "beams":[[object,range,incidence,mixed],...]}, metres and radians, null for a range without echo.
+std::string to_truth_line(std::int64_t scan, std::uint64_t hash, const Truth& truth);
+
+/// A line back; empty where it is none.
+struct TruthLine {
+  std::uint64_t hash = 0;
+  Truth truth;
+};
+std::optional<TruthLine> parse_truth_line(const std::string& line);
+
+/// Writes truth beside the wire: each line is out before the scan that it belongs to.
+class TruthWriter {
+ public:
+  /// @throws InputError where the file cannot be made.
+  explicit TruthWriter(const std::filesystem::path& path);
+
+  void write(std::int64_t scan, std::span<const double> range_m, const Truth& truth);
+
+ private:
+  std::ofstream file_;
+};
+
+/// Finds the truth of scans in a file that may still be growing. Scans come in the order of the file; some
+/// may be missing, since a wire loses scans.
+class TruthReader {
+ public:
+  /// @throws InputError where the file cannot be read.
+  explicit TruthReader(const std::filesystem::path& path);
+
+  /// Truth of the scan; nullptr where no further line has it. Lines before it are then not looked at again.
+  const Truth* find(std::span<const double> range_m);
+
+ private:
+  std::optional<TruthLine> next_line();
+
+  std::ifstream file_;
+  std::string partial_;  // a line whose end is not written yet
+  TruthLine current_;
+};
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "hw/scip/scip_laser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/errors/input_error.hpp"
+#include "hw/scip/emulated_scip.hpp"
+#include "hw/serial/serial_port.hpp"
+#include "tests/support/running_device.hpp"
+#include "tests/support/wide_sensor.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+using tests::RunningDevice;
+using tests::WideSensor;
+
+constexpr RangeSensor::Seconds kPatience{20.0};
+
+ScipOptions network(int port) {
+  ScipOptions options;
+  options.host = "127.0.0.1";
+  options.port = port;
+  options.recovery.pause_s = 0.05;
+  return options;
+}
+
+/// Every beam must be one of the same source scan.
+void expect_true_scan(const LaserScan& scan) {
+  const int first = WideSensor::beam_at(scan.geometry.bearing_rad(0));
+  const int shift = (static_cast<int>(std::lround(scan.range_m[0] * 1000.0)) - 1000 - first + 8000) % 4000;
+  for (int i = 0; i < scan.num_beams(); ++i) {
+    const int beam = WideSensor::beam_at(scan.geometry.bearing_rad(i));
+    ASSERT_DOUBLE_EQ(scan.range_m[static_cast<std::size_t>(i)], WideSensor::range_m(shift, beam)) << i;
+  }
+}
+
+void expect_true_scans(RangeSensor& laser, int count, int num_beams) {
+  LaserScan scan;
+  double last_s = -1e300;
+  for (int i = 0; i < count; ++i) {
+    ASSERT_TRUE(laser.next(scan, kPatience));
+    ASSERT_EQ(scan.num_beams(), num_beams);
+    ASSERT_GE(scan.time_s, last_s);
+    last_s = scan.time_s;
+    expect_true_scan(scan);
+  }
+}
+
+TEST(ScipLaserTest, StreamsOverTheNetwork) {
+  WideSensor source;
+  EmulatedScip sensor({.is_paced = false}, source);
+  RunningDevice running(sensor);
+  const auto laser = open_scip(network(running.port()));
+  expect_true_scans(*laser, 20, 1081);
+}
+
+TEST(ScipLaserTest, GetsASensorOutOfScip1AndOutOfItsClocksMode) {
+  for (const bool in_clock_mode : {false, true}) {
+    WideSensor source;
+    EmulatedScip sensor(
+        {.is_paced = false, .starts_in_scip_1 = !in_clock_mode, .starts_in_clock_mode = in_clock_mode},
+        source);
+    RunningDevice running(sensor);
+    const auto laser = open_scip(network(running.port()));
+    expect_true_scans(*laser, 2, 1081);
+  }
+}
+
+TEST(ScipLaserTest, DropsDamagedScans) {
+  WideSensor source;
+  EmulatedScip sensor({.is_paced = false, .damage_every = 3}, source);
+  RunningDevice running(sensor);
+  const auto laser = open_scip(network(running.port()));
+  expect_true_scans(*laser, 20, 1081);
+}
+
+TEST(ScipLaserTest, BeginsAnewWhereTheSensorStops) {
+  WideSensor source;
+  EmulatedScip sensor({.stop_after = 3}, source);
+  RunningDevice running(sensor);
+  const auto laser = open_scip(network(running.port()));
+  expect_true_scans(*laser, 6, 1081);
+}
+
+TEST(ScipLaserTest, FindsASensorThatStillStreamsAtASerialPort) {
+  WideSensor source;
+  EmulatedScip sensor({}, source);
+  PseudoTerminal terminal({});
+  StopSignal stop;
+  std::thread thread([&] { serve(sensor, terminal, stop); });
+  ScipOptions options;
+  options.path = terminal.path();
+  {
+    // A host that died in the middle of a stream.
+    SerialPort port(terminal.path());
+    const std::string command = "MD0000108001000\n";
+    port.write({reinterpret_cast<const std::uint8_t*>(command.data()), command.size()}, stop);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  {
+    const auto laser = open_scip(options);
+    LaserScan scan;
+    ASSERT_TRUE(laser->next(scan, kPatience));
+    expect_true_scan(scan);
+  }
+  stop.give();
+  thread.join();
+}
+
+TEST(ScipLaserTest, SaysThatNothingIsThere) {
+  int port = 0;
+  {
+    TcpListener closed(0);
+    port = closed.port();
+  }
+  const auto laser = open_scip(network(port));
+  LaserScan scan;
+  EXPECT_THROW(laser->next(scan, kPatience), SensorFault);
+}
+
+TEST(ScipLaserTest, RefusesBadOptions) {
+  EXPECT_THROW(open_scip({}), InputError);
+  EXPECT_THROW(open_scip(network(0)), InputError);
+  ScipOptions options = network(10940);
+  options.baud = 0;
+  EXPECT_THROW(open_scip(options), InputError);
+}
+
+ScipParameters two_steps() {
+  ScipParameters p = utm_30lx();
+  p.last_step = 1;
+  return p;
+}
+
+TEST(ScipScansTest, ReadsTheRangesOfAMessage) {
+  ScipScans scans(two_steps());
+  EXPECT_EQ(scans.command(), "MD0000000101000");
+  LaserScan scan;
+  ASSERT_EQ(scans.take({"MD0000000101000", "99b", "00?Xg", "0?X001" + std::string(1, scip_sum("0?X001"))},
+                       9.0, scan),
+            ScipScans::Outcome::kScan);
+  EXPECT_EQ(scan.range_m[0], 1.0);
+  EXPECT_EQ(scan.range_m[1], kNoEcho);  // 1 mm is the sensor's code for nothing in range
+  EXPECT_EQ(scan.time_s, 9.0);
+}
+
+TEST(ScipScansTest, TellsDamageFromFaults) {
+  ScipScans scans(two_steps());
+  LaserScan scan;
+  using Outcome = ScipScans::Outcome;
+  const std::string echo = "MD0000000101000";
+  EXPECT_EQ(scans.take({echo, "00P"}, 0.0, scan), Outcome::kOther);
+  EXPECT_EQ(scans.take({"GD", "99b"}, 0.0, scan), Outcome::kOther);
+  EXPECT_EQ(scans.take({}, 0.0, scan), Outcome::kOther);
+  EXPECT_EQ(scans.take({echo, "99c", "00?Xg", "0?XG"}, 0.0, scan), Outcome::kDamaged);
+  EXPECT_EQ(scans.take({echo, "99b"}, 0.0, scan), Outcome::kDamaged);
+  EXPECT_EQ(scans.take({echo, "99b", "00?Xh", "0?X0?X" + std::string(1, scip_sum("0?X0?X"))}, 0.0, scan),
+            Outcome::kDamaged);
+  EXPECT_EQ(scans.take({echo, "99b", "00?Xg", "0?XG"}, 0.0, scan), Outcome::kDamaged);
+  EXPECT_EQ(scans.take({echo, "50" + std::string(1, scip_sum("50"))}, 0.0, scan), Outcome::kFault);
+}
+
+}  // namespace
+}  // namespace scanbed::hw

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "hw/serial/recovering_laser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "hw/serial/steady_clock.hpp"
+
+namespace scanbed::hw {
+namespace {
+
+using Seconds = RangeSensor::Seconds;
+constexpr Seconds kPatience{5.0};
+
+RecoveringLaser laser_of(RecoveringLaser::Attempt attempt, RecoveryOptions options = {.pause_s = 0.01}) {
+  return RecoveringLaser("device", options, std::move(attempt));
+}
+
+TEST(RecoveringLaserTest, AttemptsAgainAfterAFault) {
+  int num_attempts = 0;
+  auto laser = laser_of([&](const RecoveringLaser::Give& give, const StopSignal&) {
+    LaserScan scan;
+    scan.range_m = {static_cast<double>(++num_attempts)};
+    give(scan);
+    throw SensorFault(SensorFault::Kind::kDisconnected, "unplugged");
+  });
+  LaserScan scan;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(laser.next(scan, kPatience));
+    EXPECT_EQ(scan.index, i);
+    EXPECT_EQ(scan.range_m[0], i + 1.0);
+  }
+}
+
+TEST(RecoveringLaserTest, GivesUpWhereItNeverBegan) {
+  auto laser = laser_of([](const RecoveringLaser::Give&, const StopSignal&) {
+    throw SensorFault(SensorFault::Kind::kDisconnected, "no such port");
+  });
+  LaserScan scan;
+  for (int i = 0; i < 2; ++i) {
+    try {
+      laser.next(scan, kPatience);
+      FAIL();
+    } catch (const SensorFault& fault) {
+      EXPECT_STREQ(fault.what(), "no such port");
+    }
+  }
+}
+
+TEST(RecoveringLaserTest, ARefusalIsTheEnd) {
+  int num_attempts = 0;
+  auto laser = laser_of([&](const RecoveringLaser::Give&, const StopSignal&) {
+    ++num_attempts;
+    throw DeviceRefusal("no");
+  });
+  LaserScan scan;
+  EXPECT_THROW(laser.next(scan, kPatience), DeviceRefusal);
+  EXPECT_EQ(num_attempts, 1);
+}
+
+TEST(RecoveringLaserTest, TimesOutAndStopsAtOnce) {
+  const double start_s = steady_now_s();
+  {
+    auto laser = laser_of([](const RecoveringLaser::Give&, const StopSignal& stop) { stop.sleep(100.0); });
+    LaserScan scan;
+    try {
+      laser.next(scan, Seconds(0.05));
+      FAIL();
+    } catch (const SensorFault& fault) {
+      EXPECT_EQ(fault.kind(), SensorFault::Kind::kTimeout);
+    }
+  }
+  EXPECT_LT(steady_now_s() - start_s, 2.0);
+}
+
+TEST(RecoveringLaserTest, DropsTheOldestWhereNobodyTakesThem) {
+  auto laser = laser_of(
+      [](const RecoveringLaser::Give& give, const StopSignal& stop) {
+        LaserScan scan;
+        for (int i = 0; i < 10; ++i) give(scan);
+        stop.sleep(100.0);
+      },
+      {.max_waiting = 3});
+  std::this_thread::sleep_for(Seconds(0.3));
+  LaserScan scan;
+  ASSERT_TRUE(laser.next(scan, kPatience));
+  EXPECT_EQ(scan.index, 7);
+}
+
+}  // namespace
+}  // namespace scanbed::hw

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/scenarios/run_program.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+using testing::Outcome;
+using testing::Program;
+using testing::run_program;
+
+/// An emulator of the hallway, up and running.
+class EmulateTest : public ::testing::Test {
+ protected:
+  std::unique_ptr<Program> start(std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"emulate", "static_hallway", "--link", link(), "--unpaced"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    auto program = std::make_unique<Program>(arguments);
+    for (int i = 0; i < 500 && !std::filesystem::exists(link()); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return program;
+  }
+  std::string link() const { return folder_ / "lms"; }
+  std::string laser() const { return "sick:" + link() + "?baud=500000&lossless=1"; }
+
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(EmulateTest, DetectReadsTheEmulatedSensorAsItReadsTheSimulatedOne) {
+  const auto emulator = start({});
+  const Outcome wired = run_program({"detect", "--laser", laser(), "--limit", "20"});
+  EXPECT_EQ(wired.exit_code, 0) << wired.err;
+  const Outcome direct = run_program({"detect", "--laser", "sim:static_hallway", "--limit", "20"});
+  std::istringstream wired_lines(wired.out);
+  std::istringstream direct_lines(direct.out);
+  std::string a;
+  std::string b;
+  int num_lines = 0;
+  while (std::getline(wired_lines, a) && std::getline(direct_lines, b)) {
+    EXPECT_EQ(nlohmann::json::parse(a)["features"], nlohmann::json::parse(b)["features"])
+        << "scan " << num_lines;
+    ++num_lines;
+  }
+  EXPECT_EQ(num_lines, 20);
+  emulator->send(SIGINT);
+  const Outcome outcome = emulator->wait();
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.out, link() + "\n");
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(link())));
+}
+
+TEST_F(EmulateTest, RunScoresTheWireAsItScoresTheSimulation) {
+  const std::string truth = folder_ / "truth.jsonl";
+  const auto emulator = start({"--truth", truth});
+  const std::string short_run = "duration=4";
+  const Outcome wired = run_program(
+      {"run", "static_hallway", "--set", short_run, "--laser", laser(), "--truth", truth, "--json", "-"});
+  const Outcome direct = run_program({"run", "static_hallway", "--set", short_run, "--json", "-"});
+  emulator->send(SIGINT);
+  emulator->wait();
+  ASSERT_FALSE(wired.out.empty()) << wired.err;
+  auto a = nlohmann::json::parse(wired.out);
+  auto b = nlohmann::json::parse(direct.out);
+  for (auto* results : {&a, &b}) {
+    if (results->contains("runs")) {
+      for (auto& run : (*results)["runs"]) run.erase("laser");
+    }
+    results->erase("laser");
+  }
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(wired.exit_code, direct.exit_code);
+}
+
+TEST_F(EmulateTest, EndsAfterTheTimeGiven) {
+  const Outcome outcome = run_program({"emulate", "static_hallway", "--for", "0.1"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("/dev/pts/")) << outcome.out;
+}
+
+TEST_F(EmulateTest, RefusesBadInputInOneLine) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(refused({"emulate", "static_hallway", "--fault", "fire@1"}).find("unknown name"),
+            std::string::npos);
+  EXPECT_NE(refused({"emulate", "static_hallway", "--baud", "115200"}).find("power_on_baud"),
+            std::string::npos);
+  EXPECT_NE(refused({"emulate", "static_hallway", "--address", "200"}).find("--address"), std::string::npos);
+  const std::string file = testing::write_file(folder_ / "precious", "x");
+  EXPECT_NE(refused({"emulate", "static_hallway", "--link", file}).find("no symbolic link"),
+            std::string::npos);
+  EXPECT_NE(refused({"run", "static_hallway", "--truth", file}).find("--truth"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/run/live_sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/errors/sensor_fault.hpp"
+#include "tests/scenarios/support.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+/// Times out a number of times before each scan; scan i has one beam of i metres.
+class SlowDevice final : public RangeSensor {
+ public:
+  explicit SlowDevice(int num_timeouts) : num_timeouts_(num_timeouts) {}
+  const ScanGeometry& geometry() const override { return geometry_; }
+  bool next(LaserScan& scan, Seconds /*timeout*/) override {
+    if (num_left_-- > 0) throw SensorFault(SensorFault::Kind::kTimeout, "not yet");
+    num_left_ = num_timeouts_;
+    scan.range_m = {static_cast<double>(num_scans_++)};
+    return true;
+  }
+
+ private:
+  ScanGeometry geometry_;
+  int num_timeouts_;
+  int num_left_ = 2;
+  int num_scans_ = 0;
+};
+
+class LostDevice final : public RangeSensor {
+ public:
+  const ScanGeometry& geometry() const override { return geometry_; }
+  bool next(LaserScan& /*scan*/, Seconds /*timeout*/) override {
+    throw SensorFault(SensorFault::Kind::kDisconnected, "gone");
+  }
+
+ private:
+  ScanGeometry geometry_;
+};
+
+TEST(LiveSensorTest, WaitsThroughTimeouts) {
+  LiveSensor sensor(std::make_unique<SlowDevice>(3), {});
+  LaserScan scan;
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(scan.range_m[0], 1.0);
+}
+
+TEST(LiveSensorTest, RunsOutOfPatience) {
+  LiveSensor sensor(std::make_unique<SlowDevice>(3), {.patience_s = 0.0});
+  LaserScan scan;
+  EXPECT_THROW(sensor.next(scan, {}), SensorFault);
+}
+
+TEST(LiveSensorTest, PassesOtherFaultsOn) {
+  LiveSensor sensor(std::make_unique<LostDevice>(), {});
+  LaserScan scan;
+  EXPECT_THROW(sensor.next(scan, {}), SensorFault);
+}
+
+TEST(LiveSensorTest, EndsAfterItsLimit) {
+  LiveSensor sensor(std::make_unique<SlowDevice>(0), {.limit = 2});
+  LaserScan scan;
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_FALSE(sensor.next(scan, {}));
+}
+
+TEST(LiveSensorTest, EndsWhereTheUserWantsItTo) {
+  LiveSensor sensor(std::make_unique<SlowDevice>(1000), {.is_interrupted = [] { return true; }});
+  LaserScan scan;
+  EXPECT_FALSE(sensor.next(scan, {}));
+}
+
+TEST(LiveSensorTest, JoinsScansWithTheirTruth) {
+  testing::TemporaryFolder folder;
+  TruthWriter writer(folder / "truth");
+  Truth truth;
+  truth.beams.resize(1);
+  truth.X_WS.theta_rad = 0.5;
+  writer.write(1, std::vector<double>{1.0}, truth);
+  LiveSensor sensor(std::make_unique<SlowDevice>(0), {.truth = folder / "truth"});
+  LaserScan scan;
+  ASSERT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(sensor.truth(), nullptr);
+  ASSERT_TRUE(sensor.next(scan, {}));
+  ASSERT_NE(sensor.truth(), nullptr);
+  EXPECT_EQ(sensor.truth()->X_WS.theta_rad, 0.5);
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios

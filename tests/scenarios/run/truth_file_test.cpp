@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/run/truth_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/scan/laser_scan.hpp"
+#include "tests/scenarios/support.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+Truth some_truth(int seed) {
+  Truth truth;
+  truth.X_WS = {{1.5, -2.0 + seed}, 0.25};
+  truth.beams = {{.object = 1, .range_m = 2.125, .incidence_rad = 0.5, .mixed = true},
+                 {.object = kNoObject, .range_m = kNoEcho}};
+  ObjectTruth wall;
+  wall.id = "hall.2";
+  wall.label = "wall";
+  wall.primitive = Primitive::kLine;
+  wall.from_m = {1.0, 2.0};
+  wall.to_m = {-3.0, 4.0};
+  ObjectTruth leg;
+  leg.id = "a.left_leg";
+  leg.primitive = Primitive::kLeg;
+  leg.center_m = {0.1 + seed, 0.2};
+  leg.radius_m = 0.07;
+  leg.num_clean_beams = 9;
+  leg.visibility = Visibility::kResolvable;
+  truth.objects = {wall, leg};
+  return truth;
+}
+
+std::vector<double> ranges(int seed) {
+  return {1.0 + seed, kNoEcho, kInvalid, 2.0};
+}
+
+TEST(TruthFileTest, ALineComesBackWhole) {
+  const Truth sent = some_truth(3);
+  const auto line = parse_truth_line(to_truth_line(7, 0x123456789ABCDEF0U, sent));
+  ASSERT_TRUE(line.has_value());
+  EXPECT_EQ(line->hash, 0x123456789ABCDEF0U);
+  EXPECT_EQ(line->truth.X_WS.p_m, sent.X_WS.p_m);
+  EXPECT_EQ(line->truth.X_WS.theta_rad, 0.25);
+  ASSERT_EQ(line->truth.beams.size(), 2u);
+  EXPECT_EQ(line->truth.beams[0].object, 1);
+  EXPECT_EQ(line->truth.beams[0].range_m, 2.125);
+  EXPECT_TRUE(line->truth.beams[0].mixed);
+  EXPECT_EQ(line->truth.beams[1].range_m, kNoEcho);
+  ASSERT_EQ(line->truth.objects.size(), 2u);
+  EXPECT_EQ(line->truth.objects[0].to_m, sent.objects[0].to_m);
+  EXPECT_EQ(line->truth.objects[0].visibility, Visibility::kHidden);
+  EXPECT_EQ(line->truth.objects[1].id, "a.left_leg");
+  EXPECT_EQ(line->truth.objects[1].primitive, Primitive::kLeg);
+  EXPECT_EQ(line->truth.objects[1].radius_m, 0.07);
+  EXPECT_EQ(line->truth.objects[1].num_clean_beams, 9);
+}
+
+TEST(TruthFileTest, RefusesLinesThatAreNone) {
+  std::string bad_object = to_truth_line(0, 1, some_truth(0));
+  bad_object.replace(bad_object.find("[[1,"), 4, "[[9,");
+  for (const std::string& line :
+       {std::string(), std::string("{}"), std::string("[1,2]"), std::string("nonsense"),
+        std::string(R"({"hash":"xyz","X_WS":[0,0,0],"objects":[],"beams":[]})"), bad_object}) {
+    EXPECT_FALSE(parse_truth_line(line).has_value()) << line;
+  }
+}
+
+TEST(TruthFileTest, ScansAreToldApartByTheirRanges) {
+  EXPECT_EQ(range_hash(ranges(0)), range_hash(ranges(0)));
+  EXPECT_NE(range_hash(ranges(0)), range_hash(ranges(1)));
+  const std::vector<double> one_way = {kInvalid};
+  const std::vector<double> other_way = {-kInvalid};
+  EXPECT_EQ(range_hash(one_way), range_hash(other_way));
+}
+
+TEST(TruthFileTest, FindsScansThoughSomeAreMissing) {
+  testing::TemporaryFolder folder;
+  TruthWriter writer(folder / "truth.jsonl");
+  for (int i = 0; i < 5; ++i) writer.write(i, ranges(i), some_truth(i));
+  TruthReader reader(folder / "truth.jsonl");
+  ASSERT_NE(reader.find(ranges(1)), nullptr);
+  EXPECT_EQ(reader.find(ranges(1))->X_WS.p_m.y(), -1.0);
+  EXPECT_EQ(reader.find(ranges(77)), nullptr);
+  ASSERT_NE(reader.find(ranges(4)), nullptr);
+  EXPECT_EQ(reader.find(ranges(4))->X_WS.p_m.y(), 2.0);
+}
+
+TEST(TruthFileTest, FollowsAFileThatGrows) {
+  testing::TemporaryFolder folder;
+  TruthWriter writer(folder / "truth.jsonl");
+  TruthReader reader(folder / "truth.jsonl");
+  EXPECT_EQ(reader.find(ranges(0)), nullptr);
+  writer.write(0, ranges(0), some_truth(0));
+  EXPECT_NE(reader.find(ranges(0)), nullptr);
+  writer.write(1, ranges(1), some_truth(1));
+  EXPECT_NE(reader.find(ranges(1)), nullptr);
+}
+
+TEST(TruthFileTest, TellsWhichFileCannotBeUsed) {
+  EXPECT_NE(testing::error_of([] { TruthReader("/no/such/file"); }).find("/no/such/file"), std::string::npos);
+  EXPECT_NE(testing::error_of([] { TruthWriter("/no/such/file"); }).find("/no/such/file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios
