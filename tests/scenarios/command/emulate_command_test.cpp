@@ -61,10 +61,9 @@ TEST_F(EmulateTest, DetectReadsTheEmulatedSensorAsItReadsTheSimulatedOne) {
 TEST_F(EmulateTest, RunScoresTheWireAsItScoresTheSimulation) {
   const std::string truth = folder_ / "truth.jsonl";
   const auto emulator = start({"--truth", truth});
-  const std::string short_run = "duration=4";
-  const Outcome wired = run_program(
-      {"run", "static_hallway", "--set", short_run, "--laser", laser(), "--truth", truth, "--json", "-"});
-  const Outcome direct = run_program({"run", "static_hallway", "--set", short_run, "--json", "-"});
+  const Outcome wired =
+      run_program({"run", "static_hallway", "--laser", laser(), "--truth", truth, "--json", "-"});
+  const Outcome direct = run_program({"run", "static_hallway", "--json", "-"});
   emulator->send(SIGINT);
   emulator->wait();
   ASSERT_FALSE(wired.out.empty()) << wired.err;
