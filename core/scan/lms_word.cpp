@@ -28,17 +28,13 @@ double lms_max_range_m(RangeUnit unit, int bits) {
   return lms_code(kLmsMaxSteps, bits) / steps_per_metre(unit);
 }
 
-std::uint16_t lms_code(std::uint16_t code, int bits) {
-  SCANBED_ENSURE(bits >= 13 && bits <= 15);
-  return static_cast<std::uint16_t>(code | ((1U << bits) - 1U - kLmsRangeMask));
-}
-
 std::uint16_t encode_lms_word(double range_m, RangeUnit unit, int bits) {
   if (range_m == kNoEcho) return lms_code(kLmsNoStopSignal, bits);
   if (std::isnan(range_m) || range_m == kTooClose) return lms_code(kLmsWeakSignal, bits);
-  const double steps = std::floor(std::max(range_m, 0.0) * steps_per_metre(unit) + 0.5);
-  return steps > lms_code(kLmsMaxSteps, bits) ? lms_code(kLmsBeyondMax, bits)
-                                              : static_cast<std::uint16_t>(steps);
+  const double steps = std::max(range_m, 0.0) * steps_per_metre(unit) + 0.5;
+  // A conversion to integer rounds down, once the number is known to fit.
+  return steps >= lms_code(kLmsMaxSteps, bits) + 1.0 ? lms_code(kLmsBeyondMax, bits)
+                                                     : static_cast<std::uint16_t>(steps);
 }
 
 double decode_lms_word(std::uint16_t word, RangeUnit unit, int bits) {

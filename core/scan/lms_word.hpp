@@ -31,7 +31,9 @@ double lms_step_m(RangeUnit unit);
 double lms_max_range_m(RangeUnit unit, int bits = 13);
 
 /// A code of the 13-bit words as words of `bits` bits (13 to 15) have it.
-std::uint16_t lms_code(std::uint16_t code, int bits);
+constexpr std::uint16_t lms_code(std::uint16_t code, int bits) {
+  return static_cast<std::uint16_t>(code | ((1U << bits) - 1U - kLmsRangeMask));
+}
 
 /// Range to word, rounded to the nearest step; negative ranges become 0. Beyond the greatest range:
 /// kLmsBeyondMax; kNoEcho: kLmsNoStopSignal; kInvalid and kTooClose: kLmsWeakSignal, since the LMS has no

@@ -2,10 +2,8 @@
 #include "core/score/visibility.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include "core/errors/ensure.hpp"
-#include "core/score/wall_pieces.hpp"
 
 namespace scanbed {
 namespace {
@@ -19,19 +17,6 @@ bool round_object_is_resolvable(const ObjectTruth& object, int num_beams, const 
   const int min_clean = object.primitive == Primitive::kLeg ? kMinLegBeams : kMinCircleBeams;
   if (object.num_clean_beams < min_clean) return false;
   return num_beams >= kMinFrontRatio * num_unobstructed_beams(object.center_m, object.radius_m, geometry);
-}
-
-// Counts the beams on each object: all into the result, the clean ones into the object.
-std::vector<int> count_beams(Truth& truth, const LaserScan& scan) {
-  std::vector<int> num_beams(truth.objects.size(), 0);
-  for (ObjectTruth& object : truth.objects) object.num_clean_beams = 0;
-  for (int i = 0; i < scan.num_beams(); ++i) {
-    const BeamTruth& beam = truth.beams[i];
-    if (beam.object == kNoObject || !scan.has_echo(i)) continue;
-    ++num_beams[beam.object];
-    if (!beam.mixed) ++truth.objects[beam.object].num_clean_beams;
-  }
-  return num_beams;
 }
 
 Visibility visibility_of(const ObjectTruth& object, int num_beams, const ScanGeometry& geometry) {
@@ -55,15 +40,31 @@ int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const S
   return static_cast<int>(last - first) + 1;
 }
 
-void classify_visibility(Truth& truth, const LaserScan& scan) {
-  SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
-  const std::vector<int> num_beams = count_beams(truth, scan);
-  for (std::size_t k = 0; k < truth.objects.size(); ++k) {
-    truth.objects[k].visibility = visibility_of(truth.objects[k], num_beams[k], scan.geometry);
+// All into the counts, the clean ones into the objects.
+void VisibilityClassifier::count_beams(Truth& truth, const LaserScan& scan) {
+  num_beams_.assign(truth.objects.size(), 0);
+  for (ObjectTruth& object : truth.objects) object.num_clean_beams = 0;
+  for (int i = 0; i < scan.num_beams(); ++i) {
+    const BeamTruth& beam = truth.beams[i];
+    if (beam.object == kNoObject || !scan.has_echo(i)) continue;
+    ++num_beams_[beam.object];
+    if (!beam.mixed) ++truth.objects[beam.object].num_clean_beams;
   }
-  for (const WallPiece& piece : visible_wall_pieces(truth, scan)) {
+}
+
+void VisibilityClassifier::classify(Truth& truth, const LaserScan& scan) {
+  SCANBED_ENSURE(truth.beams.size() == scan.range_m.size());
+  count_beams(truth, scan);
+  for (std::size_t k = 0; k < truth.objects.size(); ++k) {
+    truth.objects[k].visibility = visibility_of(truth.objects[k], num_beams_[k], scan.geometry);
+  }
+  for (const WallPiece& piece : wall_pieces_.find(truth, scan)) {
     if (piece.is_resolvable()) truth.objects[piece.object].visibility = Visibility::kResolvable;
   }
+}
+
+void classify_visibility(Truth& truth, const LaserScan& scan) {
+  VisibilityClassifier{}.classify(truth, scan);
 }
 
 }  // namespace scanbed

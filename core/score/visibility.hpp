@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "core/scan/laser_scan.hpp"
 #include "core/scan/truth.hpp"
+#include "core/score/wall_pieces.hpp"
 
 namespace scanbed {
 
@@ -20,5 +23,17 @@ int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const S
 ///
 /// @pre  truth.beams has as many entries as scan has beams.
 void classify_visibility(Truth& truth, const LaserScan& scan);
+
+/// The same, scan after scan: keeps its storage, so that the steady state allocates nothing.
+class VisibilityClassifier {
+ public:
+  void classify(Truth& truth, const LaserScan& scan);
+
+ private:
+  void count_beams(Truth& truth, const LaserScan& scan);
+
+  std::vector<int> num_beams_;  ///< on each object, mixed ones too
+  WallPieceFinder wall_pieces_;
+};
 
 }  // namespace scanbed

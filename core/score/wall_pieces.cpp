@@ -21,24 +21,33 @@ Eigen::Vector2d true_point_m(const Truth& truth, const LaserScan& scan, int beam
   return truth.beams[beam].range_m * Eigen::Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
 }
 
-std::vector<WallPiece> visible_wall_pieces(const Truth& truth, const LaserScan& scan) {
-  std::vector<WallPiece> pieces;
-  std::vector<int> open_piece(truth.objects.size(), -1);  // of each object: index into pieces
+const std::vector<WallPiece>& WallPieceFinder::find(const Truth& truth, const LaserScan& scan) {
+  pieces_.clear();
+  pieces_.reserve(truth.beams.size());  // as many as there can be, so that no later scan finds it too small
+  open_piece_.assign(truth.objects.size(), -1);
   for (int i = 0; i < scan.num_beams(); ++i) {
     const int object = truth.beams[i].object;
     if (object == kNoObject || !scan.has_echo(i)) continue;
     if (truth.objects[object].primitive != Primitive::kLine) continue;
-    const Eigen::Vector2d p_m = true_point_m(truth, scan, i);
-    int& open = open_piece[object];
-    if (open < 0 || i - pieces[open].beams.last > kMaxBridgedBeams + 1) {
-      open = static_cast<int>(pieces.size());
-      pieces.push_back({object, {i, i}, 0, p_m, p_m});
+    int& open = open_piece_[object];
+    if (open < 0 || i - pieces_[open].beams.last > kMaxBridgedBeams + 1) {
+      open = static_cast<int>(pieces_.size());
+      pieces_.push_back({.object = object, .beams = {i, i}});
     }
-    pieces[open].beams.last = i;
-    pieces[open].to_m = p_m;
-    ++pieces[open].num_beams;
+    pieces_[open].beams.last = i;
+    ++pieces_[open].num_beams;
   }
-  return pieces;
+  for (WallPiece& piece : pieces_) {
+    piece.from_m = true_point_m(truth, scan, piece.beams.first);
+    piece.to_m = true_point_m(truth, scan, piece.beams.last);
+  }
+  return pieces_;
+}
+
+std::vector<WallPiece> visible_wall_pieces(const Truth& truth, const LaserScan& scan) {
+  WallPieceFinder finder;
+  finder.find(truth, scan);
+  return finder.take();
 }
 
 }  // namespace scanbed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "core/detect/features.hpp"
@@ -15,9 +16,9 @@ namespace scanbed {
 struct WallPiece {
   int object = kNoObject;  ///< index into Truth::objects
   BeamSpan beams;
-  int num_beams = 0;       ///< that met this wall and gave an echo
-  Eigen::Vector2d from_m;  ///< true point of the first beam, p_SA
-  Eigen::Vector2d to_m;    ///< true point of the last beam, p_SB
+  int num_beams = 0;                                 ///< that met this wall and gave an echo
+  Eigen::Vector2d from_m = Eigen::Vector2d::Zero();  ///< true point of the first beam, p_SA
+  Eigen::Vector2d to_m = Eigen::Vector2d::Zero();    ///< true point of the last beam, p_SB
 
   double length_m() const { return (to_m - from_m).norm(); }
 
@@ -30,5 +31,17 @@ Eigen::Vector2d true_point_m(const Truth& truth, const LaserScan& scan, int beam
 
 /// The pieces of all walls in view, in rising order of their first beam.
 std::vector<WallPiece> visible_wall_pieces(const Truth& truth, const LaserScan& scan);
+
+/// The same, found again and again: keeps its storage from scan to scan.
+class WallPieceFinder {
+ public:
+  const std::vector<WallPiece>& find(const Truth& truth, const LaserScan& scan);
+
+  std::vector<WallPiece> take() { return std::move(pieces_); }  ///< what find() found
+
+ private:
+  std::vector<WallPiece> pieces_;
+  std::vector<int> open_piece_;  ///< of each object: index into pieces_
+};
 
 }  // namespace scanbed

@@ -43,6 +43,8 @@ SpotCaster::SpotCaster(const ScanGeometry& geometry, BeamSubset subset, const Sp
   for (int k = 0; k < spot.num_rays; ++k) weight_[k] /= sum;
   is_marked_.resize(num_beams_);
   rank_.resize(num_beams_ + 1);
+  marked_.reserve(num_beams_);
+  rays_.reserve(static_cast<std::size_t>(num_beams_) * spot.num_rays);
 }
 
 void SpotCaster::cast(const PlanarSlice& slice, const Pose2& X_LS, const RayCaster& axes, IdealReturns& out) {

@@ -29,7 +29,9 @@ SensorModel::SensorModel(const SensorOptions& options, std::uint64_t seed, std::
       reach_scale_m2_(options.dropout.reach_m * options.dropout.reach_m / 0.1),
       cos_glass_cone_(std::cos(options.dropout.glass_cone_rad)),
       cos_glint_(options.dazzle.glint_rad > 0.0 ? std::cos(options.dazzle.glint_rad) : 2.0),
-      range_limit_m_(options.range_limit_m()) {}
+      range_limit_m_(options.range_limit_m()),
+      any_glass_(
+          std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.glass; })) {}
 
 void SensorModel::measure(const IdealReturns& returns, std::int64_t scan, std::vector<double>& range_m) {
   const int num_beams = static_cast<int>(returns.range_m.size());
@@ -95,13 +97,14 @@ void SensorModel::draw(std::int64_t scan, int beam, Draws& right, Draws& left) c
   std::tie(right.gaussian, left.gaussian) = gaussian_pair(words[0], words[1]);
   right.loss = words[2];
   left.loss = words[3];
-  if (options_.effects.dazzle == 0.0) return;
+  if (options_.effects.dazzle == 0.0 || (options_.dazzle.probability == 0.0 && !any_glass_)) return;
   const PhiloxCounter more = random_.bits(scan, beam / 2, 1);
   right.dazzle = more[0];
   left.dazzle = more[1];
 }
 
 bool SensorModel::is_dazzled(const Echo& echo, std::uint32_t word) const {
+  if (options_.dazzle.probability == 0.0 && !any_glass_) return false;
   const bool glints = echo.material != nullptr && echo.material->glass && echo.cos_incidence >= cos_glint_;
   const double probability = options_.effects.dazzle * (glints ? 1.0 : options_.dazzle.probability);
   return unit(word) < probability;

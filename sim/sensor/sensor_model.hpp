@@ -65,6 +65,7 @@ class SensorModel {
   double cos_glass_cone_;
   double cos_glint_;
   double range_limit_m_;
+  bool any_glass_;
   std::vector<SpotReturn> sorted_;  ///< scratch: a spot's rays by range
   std::vector<Echo> echoes_;        ///< scratch: by beam
 };

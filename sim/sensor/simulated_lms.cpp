@@ -94,6 +94,7 @@ struct SimulatedLms::Impl {
   std::vector<SpotCaster> spots;  ///< likewise; none where beams are rays
   IdealReturns returns;
   TruthMaker truth_maker;
+  VisibilityClassifier visibility;
   std::int64_t num_scans;
   std::int64_t next_scan = 0;
   WorldState state;
@@ -115,6 +116,10 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
     axes.emplace_back(geometry, piece.beams);
     if (has_spot) spots.emplace_back(geometry, piece.beams, spot_of(options.lms));
   }
+  if (!has_spot) return;
+  const auto num_beams = static_cast<std::size_t>(geometry.num_beams);
+  returns.split_spots.reserve(num_beams);
+  returns.spot_returns.reserve(num_beams * options.lms.spot.num_rays);
 }
 
 void SimulatedLms::Impl::begin(double time_s) {
@@ -159,7 +164,7 @@ bool SimulatedLms::next(LaserScan& scan, Seconds /*timeout*/) {
   scan.geometry = s.geometry;
   scan.X_OR.reset();
   scan.source.clear();
-  classify_visibility(s.truth_maker.truth(), scan);
+  s.visibility.classify(s.truth_maker.truth(), scan);
   ++s.next_scan;
   return true;
 }
