@@ -95,6 +95,31 @@ TEST(ArcInBeamsTest, ACircleIsMetAsADiscIs) {
   EXPECT_NEAR(num_met, 2.0 * std::asin(0.25 / std::hypot(1.7, 1.2)) / radians(0.5), 1.0);
 }
 
+TEST(ArcInBeamsTest, SeenFromElsewhereItIsWhereItWas) {
+  SliceArc half = ellipse({5, 1}, 2, 1);
+  half.along = {0.3, 1};
+  half.from = -0.2;
+  const Vector2d p_SO(0.4, -0.7);
+  const ArcInBeams moved = ArcInBeams(half, {}).seen_from(p_SO);
+  const ArcInBeams there(half, {p_SO, 0.0});
+  for (int i = 0; i < 100; ++i) {
+    const Vector2d u = direction(0.02 * i - 1.0);
+    EXPECT_NEAR(moved.inverse_range(u), there.inverse_range(u), 1e-12) << i;
+  }
+}
+
+// A circle of radius r at distance d is touched at distance sqrt(d^2 - r^2).
+TEST(ArcInBeamsTest, TangentsTouchWhereTheyShould) {
+  const ArcInBeams arc(ellipse({4, 3}, 1, 1), {});
+  const auto wedge = arc.wedge();
+  ASSERT_TRUE(wedge);
+  for (const Vector2d& side : {wedge->right, wedge->left}) {
+    const Vector2d touch_m = arc.touch_m(side);
+    EXPECT_NEAR(touch_m.norm(), std::sqrt(24.0), 1e-9);
+    EXPECT_NEAR((touch_m - Vector2d(4, 3)).norm(), 1.0, 1e-9);
+  }
+}
+
 // Between the tangents, and only there, the beams meet it; and where they do, the point is on the ellipse.
 TEST(ArcInBeamsTest, TheWedgeIsWhereItIsMet) {
   rc::check([] {

@@ -197,5 +197,32 @@ RC_GTEST_PROP(SpotCasterTest, SplitsJustTheSpotsThatASlowSearchFindsInRandomWorl
   }
 }
 
+// The same thing as a disc and as a conic.
+TEST(SpotCasterTest, AnArcSplitsTheBeamsThatADiscSplits) {
+  PlanarSlice discs;
+  discs.segments.push_back({{5, -5}, {5, 5}, 0});
+  discs.discs.push_back({{3.0, 0.4}, 0.25, 1});
+  PlanarSlice arcs;
+  arcs.segments = discs.segments;
+  SliceArc& circle = arcs.arcs.emplace_back();
+  circle.center_m = {3.0, 0.4};
+  circle.level = circle.normal = 0.25;
+  circle.level *= 0.25;
+  circle.object = 1;
+  const IdealReturns of_disc = cast(discs, {}, kAhead);
+  const IdealReturns of_arc = cast(arcs, {}, kAhead);
+  ASSERT_GT(of_disc.split_spots.size(), 0U);
+  ASSERT_EQ(of_arc.split_spots.size(), of_disc.split_spots.size());
+  ASSERT_EQ(of_arc.spot_returns.size(), of_disc.spot_returns.size());
+  for (std::size_t i = 0; i < of_disc.split_spots.size(); ++i) {
+    EXPECT_EQ(of_arc.split_spots[i].beam, of_disc.split_spots[i].beam);
+  }
+  for (std::size_t i = 0; i < of_disc.spot_returns.size(); ++i) {
+    EXPECT_EQ(of_arc.spot_returns[i].object, of_disc.spot_returns[i].object) << i;
+    EXPECT_NEAR(of_arc.spot_returns[i].range_m, of_disc.spot_returns[i].range_m, 1e-9) << i;
+    EXPECT_NEAR(of_arc.spot_returns[i].cos_incidence, of_disc.spot_returns[i].cos_incidence, 1e-6) << i;
+  }
+}
+
 }  // namespace
 }  // namespace scanbed::sim
