@@ -111,7 +111,8 @@ std::string EmulatedCola::scan_text(std::string_view kind, double now_s) {
     const double beam =
         std::round((radians(angle_deg - 90.0) - scan_.geometry.first_rad) / scan_.geometry.step_rad);
     const bool is_there = beam >= 0.0 && beam < scan_.num_beams();
-    const double range_m = is_there ? scan_.range_m[static_cast<std::size_t>(beam)] : kNoEcho;
+    double range_m = kNoEcho;
+    if (is_there) range_m = scan_.range_m[static_cast<std::size_t>(beam)];
     const double steps = std::isfinite(range_m) ? std::clamp(range_m * 1000.0, 0.0, 65535.0) : 0.0;
     text += " " + to_cola_hex(static_cast<std::uint32_t>(std::lround(steps)));
   }
@@ -129,7 +130,8 @@ void EmulatedCola::run(double now_s, Bytes& out) {
 
 double EmulatedCola::next_event_s() const {
   const bool is_held_up = options_.is_lms && is_logged_in_;
-  return is_streaming_ && is_measuring_ && !is_held_up ? next_scan_s_ : std::numeric_limits<double>::infinity();
+  return is_streaming_ && is_measuring_ && !is_held_up ? next_scan_s_
+                                                       : std::numeric_limits<double>::infinity();
 }
 
 void EmulatedCola::hang_up() {

@@ -29,6 +29,12 @@ struct SickReport {
 /// A thread of its own reads the port, so that scans get the time at which they arrived however busy the
 /// reader is. It finds the sensor at whatever baud, sets it up and streams; when the stream fails (damage,
 /// silence, a reboot, a cable pulled out) it starts over, without end, and next() meanwhile times out.
+///
+/// Two flipped bits that the check word misses (crc.hpp) are noticed in a telegram's head, not in its ranges:
+/// nothing in the protocol tells those from measured ones.
+/// @par Cost  0.84 us of CPU from the 732 bytes of a telegram to a scan, check word included (bench/hw/sick,
+///            release, a shared x86 machine): some 2500 cycles, at 37.5 Hz 0.01 % of a core of 1 GHz.
+///            Reading the port comes on top.
 class SickLms final : public RangeSensor {
  public:
   /// Starts to look for the sensor and returns at once.
