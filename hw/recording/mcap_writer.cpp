@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/errors/input_error.hpp"
 #include "hw/recording/compression.hpp"
 #include "hw/recording/little_endian.hpp"
 #include "hw/recording/mcap_message.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::size_t kMostChunk = std::size_t{1} << 20;
 constexpr double kMostChunk_s = 1.0;
+constexpr std::size_t kMostChannel = 65535;  // their numbers have 16 bits
 
 struct IndexEntry {
   std::uint64_t time_ns = 0;
@@ -133,6 +135,9 @@ class McapWriter final : public ScanWriter {
     const std::string topic =
         "/" + (scan.source.empty() ? "scan" : scan.source) + std::string(kMcapSchemas[kind].topic_ending);
     const auto [found, is_new] = ids_.try_emplace({topic, kind}, channels_.size());
+    if (is_new && found->second > kMostChannel) {
+      throw InputError("an MCAP file holds no more than 65536 channels, four a source");
+    }
     if (is_new) add_channel(topic, kind);
     return channels_[found->second];
   }
