@@ -93,6 +93,8 @@ SensorModel::Echo SensorModel::spot_echo(const IdealReturns& returns, const Spli
 
 // One block of four words gives two beams their Gaussians and a word each for loss.
 void SensorModel::draw(std::int64_t scan, int beam, Draws& right, Draws& left) const {
+  const EffectScales& effects = options_.effects;
+  if (effects.noise == 0.0 && effects.dropout == 0.0 && effects.dazzle == 0.0) return;
   const PhiloxCounter words = random_.bits(scan, beam / 2);
   std::tie(right.gaussian, left.gaussian) = gaussian_pair(words[0], words[1]);
   right.loss = words[2];
