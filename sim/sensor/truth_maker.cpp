@@ -9,8 +9,8 @@
 namespace scanbed::sim {
 namespace {
 
-// std::acos to within 2e-8, as a polynomial that many beams at once can share (Abramowitz & Stegun, "Handbook
-// of Mathematical Functions", 1964, eq. 4.4.46).
+// std::acos to within 2.2e-8, as a polynomial that many beams at once can share (Abramowitz & Stegun,
+// "Handbook of Mathematical Functions", 1964, eq. 4.4.46).
 double incidence_rad(double cosine) {
   const double x = std::min(cosine, 1.0);
   const double even = -0.0012624911 * x + 0.0066700901;

@@ -12,8 +12,7 @@ namespace scanbed::sim {
 class WorldScript {
  public:
   /// @pre the world validates.
-  explicit WorldScript(const World& world)
-      : drive_(world.robot), crowd_(world, world.robot.laser_height_m) {
+  explicit WorldScript(const World& world) : drive_(world.robot), crowd_(world, world.robot.laser_height_m) {
     for (const Walker& walker : world.walkers) has_tows_ = has_tows_ || walker.tow.has_value();
   }
 

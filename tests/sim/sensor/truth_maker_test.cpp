@@ -161,7 +161,8 @@ TEST(TruthMakerTest, IncidenceIsTheArcCosine) {
     returns.range_m[0] = 1.0;
     returns.cos_incidence[0] = cosine;
     maker.finish(returns, 10.0);
-    ASSERT_NEAR(maker.truth().beams[0].incidence_rad, std::acos(cosine), 2.1e-8);
+    // The handbook says 2e-8, to one digit: its leading term alone misses pi / 2 by 2.18e-8.
+    ASSERT_NEAR(maker.truth().beams[0].incidence_rad, std::acos(cosine), 2.2e-8);
   }
 }
 

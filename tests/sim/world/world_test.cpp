@@ -119,8 +119,11 @@ TEST(WorldTest, NamesTheWalkerAndTheFieldThatCannotBe) {
   expect_refused([](World& w) { w.walkers[0].height_m = 0; }, "walker 'anna': height_m");
   expect_refused([](World& w) { w.walkers[0].lateral_m = kNan; }, "walker 'anna': lateral_m");
   expect_refused([](World& w) { w.walkers[0].stops = {{.at_m = -1}}; }, "walker 'anna': stop 0: at_m");
-  expect_refused([](World& w) { w.walkers[0].stops = {{.at_m = 1}, {.at_m = 1}}; },
-                 "walker 'anna': stop 1: at_m");
+  expect_refused(
+      [](World& w) {
+        w.walkers[0].stops = {{.at_m = 1}, {.at_m = 1}};
+      },
+      "walker 'anna': stop 1: at_m");
   expect_refused([](World& w) { w.walkers[0].stops = {{.for_s = 0.5}}; }, "walker 'anna': stop 0: for_s");
   expect_refused([](World& w) { w.walkers[0].stops = {{.turn_rad = 7}}; }, "walker 'anna': stop 0: turn_rad");
   expect_refused([](World& w) { w.walkers[0].material.reflectivity = 0; }, "walker 'anna': reflectivity");
