@@ -8,7 +8,8 @@ function(run)
   endif()
 endfunction()
 
-file(REMOVE_RECURSE ${WORK})
+# What was built stays, so that the next run is quick; what is installed is made anew.
+file(REMOVE_RECURSE ${WORK}/prefix ${WORK}/consumer)
 run(${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/core -G Ninja -DCMAKE_CXX_COMPILER=${CXX} -DSCANBED_CORE_ONLY=ON
   -DCMAKE_INSTALL_PREFIX=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/core --target install)
