@@ -120,7 +120,9 @@ void add_settings(CLI::App& app, TypedFlags& flags) {
 }
 
 void add_detector(CLI::App& app, TypedFlags& flags) {
-  app.add_option("--preset", flags.preset, "Detectors: paper or robust")->type_name("NAME")->capture_default_str();
+  app.add_option("--preset", flags.preset, "Detectors: paper or robust")
+      ->type_name("NAME")
+      ->capture_default_str();
   app.add_option("--config", flags.config, "YAML file of detector parameters")->type_name("FILE");
   add_settings(app, flags);
 }
