@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
+#include <memory>
 
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
@@ -9,6 +10,7 @@
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/progress.hpp"
+#include "scenarios/command/usage.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -40,6 +42,24 @@ ExitCode execute(const ConvertCommand& command) {
   log_note(to_text(reader->counts()));
   if (fault) std::rethrow_exception(fault);
   return is_interrupted() ? kExitInterrupted : kExitFine;
+}
+
+Usage convert_usage() {
+  auto files = std::make_shared<std::vector<std::string>>();
+  Usage usage{.name = "convert", .summary = "Write a recording in another format"};
+  usage.flags = {
+      {"FILES", "", "What to read, with options as behind log:, and what to write", files.get(), true, 2}};
+  usage.footer =
+      R"(Formats, by ending: .jsonl (keeps everything), .mcap, .bag (ROS 1), .log .clf (CARMEN), .player .plog;
+.gz behind a text format packs it. Reading goes by content.
+Examples:
+  scanbed convert hall.log hall.mcap
+  scanbed convert 'walk.bag?only=/scan&from=2&to=10' walk.jsonl.gz
+  scanbed convert killed.mcap.part whole.mcap)";
+  usage.command = [files] {
+    return ConvertCommand{parse_laser_spec("log:" + files->front()), files->back()};
+  };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

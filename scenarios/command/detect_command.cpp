@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
+#include <memory>
 
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
+#include "scenarios/command/shared_flags.hpp"
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/live_sensor.hpp"
 
@@ -89,6 +92,28 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
   return {std::move(sensor), nullptr, std::move(scenario)};
 }
 
+struct DetectTexts {
+  std::string laser;
+  std::string limit;
+  std::string out;
+  RecordFlag record;
+  BackendFlag backend;
+  DetectorFlags detector;
+  SettingFlag settings;
+};
+
+DetectCommand to_detect(const DetectTexts& texts) {
+  std::optional<std::int64_t> limit;
+  if (!texts.limit.empty()) limit = to_count("--limit", texts.limit, 1);
+  return {.laser = parse_laser_spec(texts.laser),
+          .detector = texts.detector.value(),
+          .settings = texts.settings.values(),
+          .limit = limit,
+          .out = to_path(texts.out),
+          .record = to_path(texts.record.text),
+          .backend = texts.backend.value()};
+}
+
 }  // namespace
 
 ExitCode execute(const DetectCommand& command) {
@@ -108,6 +133,33 @@ ExitCode execute(const DetectCommand& command) {
   if (laser.log != nullptr) log_note(to_text(laser.log->counts()));
   if (fault) std::rethrow_exception(fault);
   return is_interrupted() ? kExitInterrupted : kExitFine;
+}
+
+Usage detect_usage() {
+  auto texts = std::make_shared<DetectTexts>();
+  Usage usage{.name = "detect", .summary = "Print the features of each scan as JSON Lines"};
+  usage.flags = {
+      {"--laser", "SPEC",
+       "log:FILE[?only=NAME&no_return=METRES&speed=X&from=S&to=S], sim:SCENARIO, "
+       "sick:PORT[?baud=38400&fov_deg=180&resolution_deg=0.5&unit=mm], scip:PORT or cola:HOST",
+       &texts->laser, true},
+      {"--limit", "N", "Stop after N scans", &texts->limit},
+      {"--out", "FILE", "In place of standard output", &texts->out},
+      texts->record.flag(),
+      texts->backend.flag(),
+      texts->detector.preset_flag(),
+      texts->detector.config_flag(),
+      texts->settings.flag(),
+  };
+  usage.footer = R"(Prints one JSON object a scan, in metres and radians of the sensor's frame.
+Examples:
+  scanbed detect --laser log:hall.log.gz --limit 10
+  scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set circle_std_max=0.1
+  scanbed detect --laser sim:static_hallway --out features.jsonl
+  scanbed detect --laser 'log:walk.bag?speed=1&from=2&to=10' --record walk.mcap
+)" + table_two_text();
+  usage.command = [texts] { return to_detect(*texts); };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

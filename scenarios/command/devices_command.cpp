@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/list_ports.hpp"
 #include "hw/serial/serial_port.hpp"
@@ -8,6 +10,7 @@
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/usage.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -48,6 +51,20 @@ ExitCode execute(const DevicesCommand& command) {
     write_whole(std::nullopt, line + "\n");
   }
   return kExitFine;
+}
+
+Usage devices_usage() {
+  auto command = std::make_shared<DevicesCommand>();
+  Usage usage{.name = "devices", .summary = "List serial ports, and what is at them"};
+  usage.flags = {
+      {"PORT", "", "These alone", &command->ports},
+      {"--probe", "", "Ask each port for an LMS; sends bytes to whatever is there", &command->is_probing},
+  };
+  usage.footer = R"(Examples:
+  scanbed devices
+  scanbed devices --probe /dev/ttyUSB0)";
+  usage.command = [command] { return *command; };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

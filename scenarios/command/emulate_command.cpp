@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <thread>
 
+#include "core/errors/input_error.hpp"
 #include "hw/sick/emulator_server.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/shared_flags.hpp"
 #include "scenarios/run/emulation.hpp"
 #include "scenarios/run/truth_file.hpp"
 
@@ -45,6 +50,35 @@ void serve(hw::EmulatorServer& server, const std::optional<double>& duration_s) 
   if (failure) std::rethrow_exception(failure);
 }
 
+struct EmulateTexts {
+  std::vector<std::string> scenarios;
+  std::string link;
+  std::string truth;
+  bool is_unpaced = false;
+  std::vector<std::string> faults;
+  std::string address = "0";
+  std::string baud = "9600";
+  std::string duration;
+  SeedFlag seed;
+  SettingFlag settings;
+};
+
+EmulateCommand to_emulate(const EmulateTexts& texts) {
+  EmulateCommand command{.scenario = texts.scenarios.front(),
+                         .link = texts.link,
+                         .truth = to_path(texts.truth),
+                         .is_unpaced = texts.is_unpaced,
+                         .seed = texts.seed.value(),
+                         .settings = texts.settings.values()};
+  for (const std::string& fault : texts.faults) command.faults.push_back(hw::parse_lms_fault(fault));
+  const std::int64_t address = to_count("--address", texts.address, 0);
+  require(address <= 127, "--address", static_cast<double>(address), "[0, 127]");
+  command.address = static_cast<std::uint8_t>(address);
+  command.baud = static_cast<int>(std::min<std::int64_t>(to_count("--baud", texts.baud, 1), 1000000));
+  if (!texts.duration.empty()) command.duration_s = to_time_s("--for", texts.duration);
+  return command;
+}
+
 }  // namespace
 
 ExitCode execute(const EmulateCommand& command) {
@@ -70,6 +104,31 @@ ExitCode execute(const EmulateCommand& command) {
   log_note(fmt::format("a simulated LMS 200 is at {}; end it with Ctrl-C", server.port()));
   serve(server, command.duration_s);
   return is_interrupted() ? kExitInterrupted : kExitFine;
+}
+
+Usage emulate_usage() {
+  auto texts = std::make_shared<EmulateTexts>();
+  Usage usage{.name = "emulate", .summary = "Be an LMS 200 in a scenario's world, at a serial port"};
+  usage.flags = {
+      one_scenario(texts->scenarios),
+      {"--link", "PATH", "Name for the port", &texts->link},
+      {"--truth", "FILE", "Write truth of each scan that is sent", &texts->truth},
+      {"--unpaced", "", "As fast as the host reads, not as fast as the link", &texts->is_unpaced},
+      {"--fault", "NAME@SECONDS", "Something goes wrong at a time; may be repeated", &texts->faults},
+      {"--address", "N", "Of the sensor: 0 or 1", &texts->address},
+      {"--baud", "BAUD", "After power-on", &texts->baud},
+      {"--for", "SECONDS", "End after so many seconds", &texts->duration},
+      texts->seed.flag(),
+      texts->settings.flag(),
+  };
+  usage.footer = R"(Prints the port, then serves it. The world begins anew where the scenario ends.
+Faults: garbage, half, flip, blind_pair, nak, miss, refuse, silence, reboot, unplug, pollution.
+Examples:
+  scanbed emulate static_hallway --link /tmp/lms --truth truth.jsonl
+  scanbed run static_hallway --laser sick:/tmp/lms --truth truth.jsonl
+  scanbed emulate static_hallway --link /tmp/lms --fault flip@3 --fault reboot@10)";
+  usage.command = [texts] { return to_emulate(*texts); };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

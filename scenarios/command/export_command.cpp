@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
+#include <memory>
+
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/shared_flags.hpp"
 #include "sim/spatial/mjcf.hpp"
 
 namespace scanbed::scenarios {
+namespace {
+
+struct ExportTexts {
+  std::vector<std::string> scenarios;
+  std::string mjcf;
+  SeedFlag seed;
+  SettingFlag settings;
+};
+
+}  // namespace
 
 ExitCode execute(const ExportCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
@@ -17,6 +30,26 @@ ExitCode execute(const ExportCommand& command) {
   scenario.world.validate();
   write_whole(command.mjcf, sim::mjcf_of(scenario.world));
   return kExitFine;
+}
+
+Usage export_usage() {
+  auto texts = std::make_shared<ExportTexts>();
+  Usage usage{.name = "export", .summary = "Write a scenario's world for other programs"};
+  usage.flags = {
+      one_scenario(texts->scenarios),
+      {"--mjcf", "FILE", "MuJoCo's model format; - is standard output", &texts->mjcf, true},
+      texts->seed.flag(),
+      texts->settings.flag(),
+  };
+  usage.footer = R"(Example:
+  scanbed export static_hallway --mjcf hall.xml)";
+  usage.command = [texts] {
+    return ExportCommand{.scenario = texts->scenarios.front(),
+                         .mjcf = texts->mjcf,
+                         .seed = texts->seed.value(),
+                         .settings = texts->settings.values()};
+  };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

@@ -5,6 +5,7 @@
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/usage.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"
 
@@ -26,6 +27,12 @@ ExitCode execute(const ListCommand&) {
   }
   write_whole(std::nullopt, text);
   return code;
+}
+
+Usage list_usage() {
+  return {.name = "list", .summary = "List the scenarios of the library", .command = [] {
+            return ListCommand{};
+          }};
 }
 
 }  // namespace scanbed::scenarios

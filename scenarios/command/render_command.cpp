@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -11,10 +13,14 @@
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
+#include "scenarios/command/shared_flags.hpp"
+#include "scenarios/load/number.hpp"
+#include "scenarios/load/place.hpp"
 #include "scenarios/report/video_file.hpp"
 #include "scenarios/run/picture_taker.hpp"
 
@@ -126,6 +132,91 @@ ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, 
   return kExitFine;
 }
 
+struct RenderTexts {
+  std::vector<std::string> scenarios;
+  std::string at = "0";
+  std::string view = "camera";
+  std::string out;
+  std::string gif;
+  std::string mp4;
+  std::string from = "0";
+  std::string to;
+  std::string frames_per_s;
+  std::string grid = "none";
+  bool no_beams = false;
+  bool no_features = false;
+  bool truth = false;
+  bool labels = false;
+  std::string size = "960x720";
+  SeedFlag seed;
+  BackendFlag backend;
+  DetectorFlags detector;
+  SettingFlag settings;
+};
+
+sim::View to_view(const std::string& text) {
+  static const std::array<std::string, 3> kNames = {"top", "camera", "laser"};
+  constexpr std::array kViews = {sim::View::kTop, sim::View::kCamera, sim::View::kLaser};
+  return kViews[to_choice("--view", text, kNames, "views")];
+}
+
+sim::Grid to_grid(const std::string& text) {
+  static const std::array<std::string, 3> kNames = {"none", "cartesian", "polar"};
+  constexpr std::array kGrids = {sim::Grid::kNone, sim::Grid::kCartesian, sim::Grid::kPolar};
+  return kGrids[to_choice("--grid", text, kNames, "grids")];
+}
+
+sim::PictureOptions to_picture(const RenderTexts& texts) {
+  constexpr std::int64_t kLargest_px = 8192;
+  const std::string& size = texts.size;
+  const std::size_t cross = std::min(size.find('x'), size.size());
+  const std::optional<std::int64_t> width = parse_count(size.substr(0, cross));
+  const std::optional<std::int64_t> height =
+      parse_count(std::string_view(size).substr(std::min(cross + 1, size.size())));
+  if (!width || !height || *width > kLargest_px || *height > kLargest_px) {
+    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT in pixels of at most {}, found {}",
+                                 kLargest_px, quote(size)));
+  }
+  sim::PictureOptions picture{.width_px = static_cast<int>(*width),
+                              .height_px = static_cast<int>(*height),
+                              .view = to_view(texts.view)};
+  picture.grid = to_grid(texts.grid);
+  picture.beams = !texts.no_beams;
+  picture.features = !texts.no_features;
+  picture.truth = texts.truth;
+  picture.labels = texts.labels;
+  picture.validate();
+  return picture;
+}
+
+FilmOptions to_film(const RenderTexts& texts) {
+  FilmOptions film{.gif = to_path(texts.gif), .mp4 = to_path(texts.mp4)};
+  film.from_s = to_time_s("--from", texts.from);
+  if (!texts.to.empty()) film.to_s = to_time_s("--to", texts.to);
+  if (!texts.frames_per_s.empty()) {
+    const std::optional<double> rate = parse_number(texts.frames_per_s);
+    if (!rate) throw InputError("--fps: expected a number, found " + quote(texts.frames_per_s));
+    require(*rate > 0.0 && *rate <= 60.0, "--fps", *rate, "(0, 60]");
+    film.frames_per_s = *rate;
+  }
+  return film;
+}
+
+RenderCommand to_render(const RenderTexts& texts) {
+  if (texts.out.empty() && texts.gif.empty() && texts.mp4.empty()) {
+    throw InputError("nothing to write: name a file with -o, --gif or --mp4; see 'scanbed render --help'");
+  }
+  return {.scenario = texts.scenarios.front(),
+          .at_s = to_time_s("--at", texts.at),
+          .picture = to_picture(texts),
+          .out = to_path(texts.out),
+          .film = to_film(texts),
+          .seed = texts.seed.value(),
+          .detector = texts.detector.value(),
+          .settings = texts.settings.values(),
+          .backend = texts.backend.value()};
+}
+
 }  // namespace
 
 ExitCode execute(const RenderCommand& command) {
@@ -138,6 +229,38 @@ ExitCode execute(const RenderCommand& command) {
   }
   if (!command.film.gif && !command.film.mp4) return kExitFine;
   return render_film(command, scenario, detector);
+}
+
+Usage render_usage() {
+  auto texts = std::make_shared<RenderTexts>();
+  Usage usage{.name = "render", .summary = "Paint a moment of a scenario: scene, scan and features"};
+  usage.flags = {
+      one_scenario(texts->scenarios),
+      {"--at", "T", "Seconds from the start", &texts->at},
+      {"--view", "VIEW", "top, camera or laser", &texts->view},
+      {"-o,--out", "FILE", "PNG file", &texts->out},
+      {"--gif", "FILE", "Film, needs ffmpeg", &texts->gif},
+      {"--mp4", "FILE", "Film, needs ffmpeg", &texts->mp4},
+      {"--from", "T", "Start of a film", &texts->from},
+      {"--to", "T", "End of a film; else the scenario's", &texts->to},
+      {"--fps", "N", "Pictures a second; else one a scan", &texts->frames_per_s},
+      {"--grid", "GRID", "none, cartesian or polar", &texts->grid},
+      {"--no-beams", "", "Echoes without the beams to them", &texts->no_beams},
+      {"--no-features", "", "Without what the detectors found", &texts->no_features},
+      {"--truth", "", "Outlines of what is truly there", &texts->truth},
+      {"--labels", "", "Names of what is truly there", &texts->labels},
+      {"--size", "WxH", "Pixels", &texts->size},
+      texts->seed.flag(),
+      texts->backend.flag(),
+      texts->detector.preset_flag(),
+      texts->detector.config_flag(),
+      texts->settings.flag(),
+  };
+  usage.footer = R"(Example:
+  scanbed render static_hallway --at 20 --view top -o hall.png --size 1280x960
+  scanbed render static_hallway --view top --grid polar --truth --labels --gif hall.gif --to 10)";
+  usage.command = [texts] { return to_render(*texts); };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

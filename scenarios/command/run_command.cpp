@@ -6,12 +6,14 @@
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
+#include "scenarios/command/shared_flags.hpp"
 #include "scenarios/report/run_json.hpp"
 #include "scenarios/report/score_table.hpp"
 #include "scenarios/run/live_sensor.hpp"
@@ -121,6 +123,34 @@ ExitCode exit_code(const std::vector<RunResult>& results) {
   return kExitFine;
 }
 
+struct RunTexts {
+  std::vector<std::string> scenarios;
+  std::string laser = "sim";
+  std::string truth;
+  SeedFlag seed;
+  std::string json;
+  std::string out;
+  bool is_quiet = false;
+  RecordFlag record;
+  BackendFlag backend;
+  DetectorFlags detector;
+  SettingFlag settings;
+};
+
+RunCommand to_run(const RunTexts& texts) {
+  return {.scenarios = texts.scenarios,
+          .laser = parse_laser_spec(texts.laser),
+          .seed = texts.seed.value(),
+          .detector = texts.detector.value(),
+          .settings = texts.settings.values(),
+          .json = to_path(texts.json),
+          .out = to_path(texts.out),
+          .record = to_path(texts.record.text),
+          .truth = to_path(texts.truth),
+          .quiet = texts.is_quiet,
+          .backend = texts.backend.value()};
+}
+
 }  // namespace
 
 ExitCode execute(const RunCommand& command) {
@@ -144,6 +174,32 @@ ExitCode execute(const RunCommand& command) {
   }
   if (command.json) write_whole(command.json, run_json(results));
   return exit_code(results);
+}
+
+Usage run_usage() {
+  auto texts = std::make_shared<RunTexts>();
+  Usage usage{.name = "run", .summary = "Run scenarios, score the detectors, hold scores against gates"};
+  usage.flags = {
+      {"SCENARIO", "", "Names of the library or YAML files", &texts->scenarios, true},
+      {"--laser", "SPEC", "sim, log:FILE, sick:PORT, scip:PORT or cola:HOST", &texts->laser},
+      {"--truth", "FILE", "Truth of a device's scans, as emulate writes it", &texts->truth},
+      texts->seed.flag(),
+      {"--json", "FILE", "Write results as JSON; - is standard output", &texts->json},
+      {"--out", "DIR", "Write the scenario's pictures here", &texts->out},
+      {"--quiet", "", "No table", &texts->is_quiet},
+      texts->record.flag(),
+      texts->backend.flag(),
+      texts->detector.preset_flag(),
+      texts->detector.config_flag(),
+      texts->settings.flag(),
+  };
+  usage.footer = R"(Examples:
+  scanbed run static_hallway
+  scanbed run static_hallway --seed 7 --set sensor.noise.sigma=0.012 --json -
+  scanbed run my_hall.yaml --set line_err=0.02 --out pictures
+)" + table_two_text();
+  usage.command = [texts] { return to_run(*texts); };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

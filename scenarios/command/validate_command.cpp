@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/output.hpp"
+#include "scenarios/command/usage.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"
 
@@ -25,6 +28,16 @@ ExitCode execute(const ValidateCommand& command) {
   }
   write_whole(std::nullopt, text);
   return code;
+}
+
+Usage validate_usage() {
+  auto command = std::make_shared<ValidateCommand>();
+  Usage usage{.name = "validate", .summary = "Check scenario files without running them"};
+  usage.flags = {{"FILE", "", "YAML files or names of the library", &command->scenarios, true}};
+  usage.footer = R"(Example:
+  scanbed validate my_hall.yaml static_hallway)";
+  usage.command = [command] { return *command; };
+  return usage;
 }
 
 }  // namespace scanbed::scenarios

@@ -41,7 +41,7 @@ TEST(ByteSinkTest, SaysWhatCannotBeWritten) {
 TEST(ByteSinkTest, PackedBytesUnpackAgain) {
   const TemporaryFolder folder;
   std::string text;
-  for (int i = 0; i < 100000; ++i) text += std::to_string(i * i);
+  for (std::int64_t i = 0; i < 100000; ++i) text += std::to_string(i * i);
   const auto sink = pack_gzip(std::make_unique<FileSink>(folder / "x.gz"));
   for (std::size_t i = 0; i < text.size(); i += 1000) sink->append(std::string_view(text).substr(i, 1000));
   sink->finish();

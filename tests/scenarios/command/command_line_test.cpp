@@ -62,7 +62,8 @@ TEST(CommandLineTest, ReadsDetectRenderListAndValidate) {
 
 TEST(CommandLineTest, AnswersHelpAndVersionWithText) {
   EXPECT_EQ(std::get<TextCommand>(parsed({"--version"})).text, "scanbed " SCANBED_TEST_VERSION "\n");
-  for (const char* command : {"run", "detect", "render", "list", "validate"}) {
+  for (const char* command :
+       {"run", "detect", "render", "convert", "export", "emulate", "devices", "list", "validate"}) {
     const std::string help = std::get<TextCommand>(parsed({command, "--help"})).text;
     EXPECT_NE(help.find("scanbed " + std::string(command)), std::string::npos) << help;
   }
