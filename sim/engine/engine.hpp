@@ -32,8 +32,8 @@ class Engine {
   /// is, and it may be elsewhere after the next advance_to().
   virtual const PlanarSlice& slice() const = 0;
 
-  /// The sensor in that plane, at state().time_s.
-  virtual Pose2 X_LS() const = 0;
+  /// The sensor in that plane at state().time_s: X_LS.
+  virtual Pose2 sensor_in_plane() const = 0;
 
   /// What a slice can hold; SliceSegment::object and its like are indices into this.
   virtual const std::vector<SliceObject>& objects() const = 0;

@@ -94,7 +94,7 @@ const PlanarSlice& PlanarEngine::slice() const {
   return impl_->slice;
 }
 
-Pose2 PlanarEngine::X_LS() const {
+Pose2 PlanarEngine::sensor_in_plane() const {
   return impl_->state.X_WR * impl_->X_RS;
 }
 

@@ -131,7 +131,7 @@ void SimulatedLms::Impl::begin(double time_s) {
 
 void SimulatedLms::Impl::cast_piece(std::size_t piece) {
   const PlanarSlice& slice = engine->slice();
-  const Pose2 X_LS = engine->X_LS();
+  const Pose2 X_LS = engine->sensor_in_plane();
   RayCaster& caster = axes[piece];
   caster.cast(slice, X_LS);
   truth_maker.add_piece(pieces[piece].beams, slice, X_LS);

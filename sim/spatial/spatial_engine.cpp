@@ -126,7 +126,7 @@ const PlanarSlice& SpatialEngine::slice() const {
   return impl_->slice;
 }
 
-Pose2 SpatialEngine::X_LS() const {
+Pose2 SpatialEngine::sensor_in_plane() const {
   return {};
 }
 

@@ -95,7 +95,7 @@ void spatial_engine_and_scan_of_the_hall(benchmark::State& state) {
   double time_s = 0.0;
   while (state.KeepRunning()) {
     engine.advance_to(time_s += 0.2);
-    caster.cast(engine.slice(), engine.X_LS());
+    caster.cast(engine.slice(), engine.sensor_in_plane());
     benchmark::DoNotOptimize(caster.ranges_m().data());
   }
   state.SetItemsProcessed(state.iterations());

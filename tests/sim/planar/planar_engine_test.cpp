@@ -163,8 +163,9 @@ TEST(PlanarEngineTest, TheSliceIsInTheWorldFrameAndTheSensorInIt) {
   World world = hall();
   world.robot.X_RS = {{0.1, 0.0}, 0.25};
   PlanarEngine engine(world);
-  EXPECT_NEAR((engine.X_LS().p_m - Vector2d(0.0, 0.55)).norm(), 0.0, 1e-12);  // the robot looks along y
-  EXPECT_NEAR(engine.X_LS().theta_rad, kPi / 2 + 0.25, 1e-12);
+  EXPECT_NEAR((engine.sensor_in_plane().p_m - Vector2d(0.0, 0.55)).norm(), 0.0,
+              1e-12);  // the robot looks along y
+  EXPECT_NEAR(engine.sensor_in_plane().theta_rad, kPi / 2 + 0.25, 1e-12);
   EXPECT_EQ(engine.slice().segments.at(0).a_m, Vector2d(-7, 0));
 }
 

@@ -38,7 +38,7 @@ World towing_hall() {
 
 std::vector<double> scan_of(Engine& engine) {
   RayCaster caster{ScanGeometry{}};
-  caster.cast(engine.slice(), engine.X_LS());
+  caster.cast(engine.slice(), engine.sensor_in_plane());
   return caster.ranges_m();
 }
 
@@ -57,8 +57,8 @@ TEST(SpatialEngineTest, AStillWorldGivesTheScanOfThePlanarEngine) {
     SpatialEngine spatial(world);
     RayCaster in_plane{ScanGeometry{}};
     RayCaster in_space{ScanGeometry{}};
-    in_plane.cast(planar.slice(), planar.X_LS());
-    in_space.cast(spatial.slice(), spatial.X_LS());
+    in_plane.cast(planar.slice(), planar.sensor_in_plane());
+    in_space.cast(spatial.slice(), spatial.sensor_in_plane());
     for (int i = 0; i < in_plane.num_beams(); ++i) {
       ASSERT_NEAR(in_space.range_m(i), in_plane.range_m(i), 1e-9) << i;
       ASSERT_EQ(id_at(spatial, in_space, i), id_at(planar, in_plane, i)) << i;
@@ -84,7 +84,7 @@ TEST(SpatialEngineTest, LegsAreCutWhereThePlanarEngineHasThem) {
   for (int k = 0; k <= 80; ++k) {
     planar.advance_to(0.05 * k);
     spatial.advance_to(0.05 * k);
-    caster.cast(spatial.slice(), spatial.X_LS());
+    caster.cast(spatial.slice(), spatial.sensor_in_plane());
     const WalkerState& walker = planar.state().walkers[0];
     for (int i = 0; i < caster.num_beams(); ++i) {
       const std::string& id = id_at(spatial, caster, i);
