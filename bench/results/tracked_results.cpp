@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "bench/results/tracked_results.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/detect/feature_detector.hpp"
+#include "core/track/tracker.hpp"
+#include "hw/recording/carmen_log.hpp"
+
+namespace scanbed::bench {
+namespace {
+
+constexpr double kLegGate_m = 0.15;
+constexpr double kPersonGate_m = 0.40;
+
+int legs_of(const Track& track) {
+  return track.kind == TrackKind::kPerson ? 2 : track.kind == TrackKind::kLeg ? 1 : 0;
+}
+
+int num_found(const std::vector<Eigen::Vector2d>& labels, const std::vector<Track>& tracks) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t k = 0; k < tracks.size(); ++k) {
+      const double distance_m = (labels[i] - tracks[k].position_m).norm();
+      const double gate_m = tracks[k].kind == TrackKind::kPerson ? kPersonGate_m : kLegGate_m;
+      if (legs_of(tracks[k]) > 0 && distance_m <= gate_m) pairs.emplace_back(distance_m, i, k);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<bool> label_found(labels.size(), false);
+  std::vector<int> num_free(tracks.size());
+  std::transform(tracks.begin(), tracks.end(), num_free.begin(), legs_of);
+  int count = 0;
+  for (const auto& [distance_m, i, k] : pairs) {
+    if (label_found[i] || num_free[k] == 0) continue;
+    label_found[i] = true;
+    --num_free[k];
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TrackedLegResult tracked_legs_in_recording(const std::filesystem::path& log, const Labels& labels,
+                                           const TrackedSetup& setup) {
+  hw::CarmenLog sensor(log, {},
+                       [](const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); });
+  FeatureDetector detector(setup.detector);
+  Tracker tracker(setup.tracker);
+  TrackedLegResult result;
+  LaserScan scan;
+  while (sensor.next(scan, RangeSensor::Seconds(0.0))) {
+    ++result.num_scans;
+    const std::vector<Track>& tracks = tracker.update(scan, detector.detect(scan));
+    result.num_tracks += static_cast<int>(
+        std::count_if(tracks.begin(), tracks.end(), [](const Track& track) { return legs_of(track) > 0; }));
+    const auto found = labels.find(static_cast<int>(scan.index));
+    if (found == labels.end()) continue;
+    result.num_labels += static_cast<int>(found->second.size());
+    result.num_found += num_found(found->second, tracks);
+  }
+  return result;
+}
+
+}  // namespace scanbed::bench

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "core/track/live_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanbed {
+namespace {
+
+constexpr double kMaxLogOdds = 4.0;
+constexpr double kMissLogOdds = -1.5;      // of looking at an empty place
+constexpr double kMaxEmpty_s = 0.4;        // a place looked through so long has lost its track
+constexpr double kMaxOccupied_s = 1.0;     // likewise where something stands that is not recognised
+constexpr double kMaxUnconfirmed_s = 0.3;  // one hit alone is not remembered for long
+constexpr double kMinSettled_s = 0.7;
+constexpr double kMaxSettled_m = 0.08;
+
+double sigmoid(double x) {
+  return 1.0 / (1.0 + std::exp(-x));
+}
+
+}  // namespace
+
+double log_odds_of(double score) {
+  if (!(score > 0.0)) return -kMaxLogOdds;
+  if (score >= 1.0) return kMaxLogOdds;
+  return std::clamp(std::log(score / (1.0 - score)), -kMaxLogOdds, kMaxLogOdds);
+}
+
+double LiveTrack::gate_m(const TrackOptions& options) const {
+  return std::min(options.max_gate_m, options.gate_m + options.gate_speed_m_per_s * unseen_s);
+}
+
+void LiveTrack::predict(const TrackedScan& now, double accel_psd_m2_per_s3) {
+  point.predict(now.dt_s, accel_psd_m2_per_s3);
+  unseen_s += now.dt_s;
+  feature = kNoFeature;
+  second_feature = kNoFeature;
+}
+
+void LiveTrack::count_hit(double feature_log_odds, const TrackedScan& now, const TrackOptions& options) {
+  const double keep_ratio = num_hits == 0 ? 0.0 : options.evidence_keep_ratio;
+  log_odds = keep_ratio * log_odds + (1.0 - keep_ratio) * feature_log_odds;
+  ++num_hits;
+  num_missed = 0;
+  unseen_s = 0.0;
+  hidden_s = 0.0;
+  history.add(now.scan.time_s, point.p_m, options.displacement_window_s);
+  if (history.net_displacement_m() >= options.mobile_distance_m) is_mobile = true;
+}
+
+void LiveTrack::count_miss(const TrackedScan& now, double size_m, const TrackOptions& options) {
+  ++num_missed;
+  const PlaceView view = view_of(now.scan, now.X_WS.inverse() * point.p_m, size_m);
+  if (view == PlaceView::kHidden) hidden_s += now.dt_s;
+  if (view == PlaceView::kEmpty) {
+    log_odds = options.evidence_keep_ratio * log_odds + (1.0 - options.evidence_keep_ratio) * kMissLogOdds;
+  }
+  const double looked_for_s = unseen_s - hidden_s;
+  double allowed_s = view == PlaceView::kOccupied ? kMaxOccupied_s : kMaxEmpty_s;
+  if (!is_confirmed(options)) allowed_s = kMaxUnconfirmed_s;
+  const bool is_too_long = looked_for_s > allowed_s && num_missed > options.num_coasted_scans;
+  is_dead = is_too_long || hidden_s > options.max_hidden_s;
+  if (!is_confirmed(options) && num_missed > options.num_coasted_scans) is_dead = true;
+}
+
+bool LiveTrack::is_settled() const {
+  return !is_mobile && history.span_s() >= kMinSettled_s && history.net_displacement_m() <= kMaxSettled_m;
+}
+
+double LiveTrack::evidence(const TrackOptions& options) const {
+  const double displacement = history.net_displacement_m() / options.displacement_step_m;
+  return log_odds + std::min(displacement, options.max_displacement_evidence);
+}
+
+double LiveTrack::score(const TrackOptions& options) const {
+  return sigmoid(evidence(options));
+}
+
+Track seen_from(const Pose2& X_WS, const LiveTrack& track, const TrackOptions& options) {
+  const Pose2 X_SW = X_WS.inverse();
+  Track seen;
+  seen.id = track.id;
+  seen.kind = track.kind;
+  seen.position_m = X_SW * track.point.p_m;
+  seen.velocity_m_per_s = X_SW.rotate(track.point.v_m_per_s);
+  seen.radius_m = track.radius_m;
+  seen.score = track.score(options);
+  seen.is_mobile = track.is_mobile;
+  seen.is_settled = track.is_settled();
+  seen.feature = track.feature;
+  seen.second_feature = track.second_feature;
+  return seen;
+}
+
+}  // namespace scanbed

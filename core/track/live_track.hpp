@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/track/moving_point.hpp"
+#include "core/track/place_history.hpp"
+#include "core/track/scan_view.hpp"
+#include "core/track/track.hpp"
+#include "core/track/track_options.hpp"
+
+namespace scanbed {
+
+/// The scan that tracks are brought up to.
+struct TrackedScan {
+  const LaserScan& scan;
+  Pose2 X_WS;
+  double dt_s = 0.0;  ///< since the scan before, >= 0
+};
+
+/// A track with its memory; world frame W.
+struct LiveTrack {
+  int id = 0;  ///< 0 until it is confirmed
+  TrackKind kind = TrackKind::kLeg;
+  MovingPoint point;
+  PlaceHistory history;
+  int num_hits = 0;
+  int num_missed = 0;     ///< scans in a row
+  double unseen_s = 0.0;  ///< since the last hit
+  double hidden_s = 0.0;  ///< of these: while something nearer hid it
+  double log_odds = 0.0;  ///< mean along the track
+  double radius_m = 0.0;  ///< of a cylinder
+  bool is_mobile = false;
+  bool is_dead = false;
+  int feature = kNoFeature;
+  int second_feature = kNoFeature;
+
+  bool is_confirmed(const TrackOptions& options) const { return num_hits >= options.num_confirming_hits; }
+
+  /// Its own gate: how far from where it is expected a feature may be.
+  double gate_m(const TrackOptions& options) const;
+
+  /// Moves on to the scan's time; nothing was seen so far.
+  void predict(const TrackedScan& now, double accel_psd_m2_per_s3);
+
+  /// Takes in what a hit says: log-odds of the feature, and where the track is by now.
+  void count_hit(double feature_log_odds, const TrackedScan& now, const TrackOptions& options);
+
+  /// Counts a scan without a hit, and marks the track as dead where it has been away too long.
+  ///
+  /// @param size_m  radius of what is looked for.
+  void count_miss(const TrackedScan& now, double size_m, const TrackOptions& options);
+
+  /// It has been watched for a while and stood still.
+  bool is_settled() const;
+
+  /// From mean log-odds and net displacement.
+  double evidence(const TrackOptions& options) const;
+  double score(const TrackOptions& options) const;
+};
+
+/// Log-odds of a score in [0, 1], bounded to +-4.
+double log_odds_of(double score);
+
+/// How the track looks from outside, in the sensor frame.
+Track seen_from(const Pose2& X_WS, const LiveTrack& track, const TrackOptions& options);
+
+}  // namespace scanbed

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "core/track/people_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace scanbed {
+namespace {
+
+constexpr double kPersonAccel_m2_per_s3 = 1.0;
+constexpr double kLegAccel_m2_per_s3 = 6.0;  // a leg stops and swings with every step
+constexpr double kBothLegsSigma_m = 0.07;    // of their middle, about the person's
+constexpr double kOneLegSigma_m = 0.18;      // of one leg, about the person's middle
+constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
+constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
+constexpr double kStride_m = 0.25;           // of a leg from the person's middle: widens the gate
+constexpr double kMaxStride_m = 0.9;         // between a person's legs
+constexpr double kAbsorbLeg_m = 0.45;        // of a single leg from a person that lacks one
+constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
+constexpr double kWalkDistance_m = 0.7;      // what moves so far within the window walks
+constexpr double kPersonRadius_m = 0.25;
+constexpr double kLegRadius_m = 0.10;
+
+bool is_person(const LiveTrack& track) {
+  return track.kind == TrackKind::kPerson;
+}
+
+bool is_free_leg(const LiveTrack& track) {
+  return !is_person(track) && !track.is_dead && track.feature != kNoFeature;
+}
+
+bool lacks_a_leg(const LiveTrack& track) {
+  return is_person(track) && !track.is_dead && track.second_feature == kNoFeature;
+}
+
+// A track of one leg that is so near to a person who lacks one that it is the person's.
+bool belongs_to(const LiveTrack& other, const LiveTrack& person) {
+  if (other.is_dead || other.feature == kNoFeature || other.second_feature != kNoFeature) return false;
+  if (is_person(other) && other.num_hits > person.num_hits) return false;
+  const double reach_m = is_person(other) ? kAbsorbPerson_m : kAbsorbLeg_m;
+  return (other.point.p_m - person.point.p_m).norm() <= reach_m;
+}
+
+}  // namespace
+
+void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
+                           const TrackOptions& options) {
+  p_WL_m_.clear();
+  for (const Leg& leg : legs) p_WL_m_.push_back(now.X_WS * leg.middle_m);
+  for (LiveTrack& track : tracks_) {
+    track.predict(now, is_person(track) ? kPersonAccel_m2_per_s3 : kLegAccel_m2_per_s3);
+  }
+  assign(legs, options);
+  for (LiveTrack& track : tracks_) correct(track, now, legs, options);
+  begin_tracks(now, legs, options);
+  absorb_single_legs();
+  join_pairs(options);
+  bury_dead();
+}
+
+void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& options) {
+  slots_.clear();
+  for (int i = 0; i < static_cast<int>(tracks_.size()); ++i) {
+    slots_.push_back({i});
+    if (is_person(tracks_[i])) slots_.push_back({i});
+  }
+  const int num_legs = static_cast<int>(legs.size());
+  assignment_.reset(num_legs, static_cast<int>(slots_.size()), 1.0);
+  for (int column = 0; column < static_cast<int>(slots_.size()); ++column) {
+    const LiveTrack& track = tracks_[slots_[column].track];
+    const double stride_m = is_person(track) ? kStride_m : 0.0;
+    const double gate_m = std::min(options.max_gate_m, track.gate_m(options) + stride_m);
+    for (int row = 0; row < num_legs; ++row) {
+      const double distance_m2 = (p_WL_m_[row] - track.point.p_m).squaredNorm();
+      assignment_.allow(row, column, distance_m2 / (gate_m * gate_m));
+    }
+  }
+  leg_taken_.assign(num_legs, 0);
+  const std::span<const int> column_of_leg = assignment_.solve();
+  for (int row = 0; row < num_legs; ++row) {
+    if (column_of_leg[row] == kUnassigned) continue;
+    LiveTrack& track = tracks_[slots_[column_of_leg[row]].track];
+    (track.feature == kNoFeature ? track.feature : track.second_feature) = row;
+    leg_taken_[row] = 1;
+  }
+}
+
+void PeopleTracker::correct(LiveTrack& track, const TrackedScan& now, const std::vector<Leg>& legs,
+                            const TrackOptions& options) {
+  if (track.feature == kNoFeature) {
+    track.count_miss(now, is_person(track) ? kPersonRadius_m : kLegRadius_m, options);
+    return;
+  }
+  if (track.second_feature != kNoFeature) {
+    const double apart_m = (p_WL_m_[track.feature] - p_WL_m_[track.second_feature]).norm();
+    if (apart_m > kMaxStride_m) {  // the nearer one is its own
+      const auto off_m2 = [&](int leg) { return (p_WL_m_[leg] - track.point.p_m).squaredNorm(); };
+      if (off_m2(track.second_feature) < off_m2(track.feature))
+        std::swap(track.feature, track.second_feature);
+      leg_taken_[track.second_feature] = 0;
+      track.second_feature = kNoFeature;
+    }
+  }
+  double log_odds = log_odds_of(legs[track.feature].score);
+  Eigen::Vector2d measured_m = p_WL_m_[track.feature];
+  double sigma_m = is_person(track) ? kOneLegSigma_m : kLegSigma_m;
+  if (track.second_feature != kNoFeature) {
+    log_odds = std::max(log_odds, log_odds_of(legs[track.second_feature].score));
+    measured_m = (measured_m + p_WL_m_[track.second_feature]) / 2;
+    sigma_m = kBothLegsSigma_m;
+  }
+  track.point.correct(measured_m, sigma_m);
+  track.count_hit(log_odds, now, options);
+  if (!is_person(track) && track.history.net_displacement_m() > kWalkDistance_m)
+    track.kind = TrackKind::kPerson;
+}
+
+void PeopleTracker::begin_tracks(const TrackedScan& now, const std::vector<Leg>& legs,
+                                 const TrackOptions& options) {
+  for (int i = 0; i < static_cast<int>(legs.size()); ++i) {
+    if (leg_taken_[i] != 0) continue;
+    LiveTrack track;
+    track.point.p_m = p_WL_m_[i];
+    track.point.var_p_m2 = kLegSigma_m * kLegSigma_m;
+    track.point.var_v_m2_per_s2 = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
+    track.feature = i;
+    track.count_hit(log_odds_of(legs[i].score), now, options);
+    tracks_.push_back(track);
+  }
+}
+
+// A leg beside a person that lacks one is that one; so is a person of one leg, who began as a leg that
+// walked.
+void PeopleTracker::absorb_single_legs() {
+  for (LiveTrack& person : tracks_) {
+    for (LiveTrack& other : tracks_) {
+      if (!lacks_a_leg(person)) break;
+      if (&other == &person || !belongs_to(other, person)) continue;
+      other.is_dead = true;
+      (person.feature == kNoFeature ? person.feature : person.second_feature) = other.feature;
+    }
+  }
+}
+
+void PeopleTracker::find_pairs(double max_distance_m) {
+  pairs_.clear();
+  const int num_tracks = static_cast<int>(tracks_.size());
+  for (int a = 0; a < num_tracks; ++a) {
+    if (!is_free_leg(tracks_[a])) continue;
+    for (int b = a + 1; b < num_tracks; ++b) {
+      if (!is_free_leg(tracks_[b])) continue;
+      const double distance_m = (tracks_[a].point.p_m - tracks_[b].point.p_m).norm();
+      if (distance_m <= max_distance_m) pairs_.push_back({distance_m, a, b});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& left, const Pair& right) {
+    return std::tie(left.distance_m, left.a, left.b) < std::tie(right.distance_m, right.a, right.b);
+  });
+}
+
+void PeopleTracker::join_pairs(const TrackOptions& options) {
+  find_pairs(options.max_leg_distance_m);
+  for (const Pair& pair : pairs_) {
+    LiveTrack& elder = tracks_[pair.a];  // tracks stand in the order of their birth
+    LiveTrack& younger = tracks_[pair.b];
+    if (!is_free_leg(elder) || !is_free_leg(younger)) continue;
+    elder.kind = TrackKind::kPerson;
+    elder.second_feature = younger.feature;
+    elder.point.p_m = (elder.point.p_m + younger.point.p_m) / 2;
+    elder.point.v_m_per_s = (elder.point.v_m_per_s + younger.point.v_m_per_s) / 2;
+    elder.log_odds = std::max(elder.log_odds, younger.log_odds);
+    younger.is_dead = true;
+  }
+}
+
+void PeopleTracker::bury_dead() {
+  std::erase_if(tracks_, [](const LiveTrack& track) { return track.is_dead; });
+}
+
+}  // namespace scanbed

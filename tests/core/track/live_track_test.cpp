@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "core/track/live_track.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+constexpr double kPeriod_s = 0.1;
+
+LaserScan hall(double time_s, bool with_column) {
+  testing::IdealScene scene;
+  scene.wall({6.0, -10.0}, {6.0, 10.0});
+  if (with_column) scene.cylinder({1.5, 0.0}, 0.4);
+  LaserScan scan = scene.scan();
+  scan.time_s = time_s;
+  return scan;
+}
+
+LiveTrack hit_twice(const Eigen::Vector2d& p_m, double log_odds) {
+  const TrackOptions options;
+  const LaserScan scan = hall(0.0, false);
+  LiveTrack track;
+  track.point = {.p_m = p_m, .var_p_m2 = 0.01, .var_v_m2_per_s2 = 0.01};
+  track.count_hit(log_odds, {scan, {}, kPeriod_s}, options);
+  track.count_hit(log_odds, {scan, {}, kPeriod_s}, options);
+  return track;
+}
+
+// Scans without a hit until the track is dead, at most `limit`.
+int misses_until_dead(LiveTrack& track, bool with_column, int limit) {
+  const LaserScan scan = hall(0.0, with_column);
+  int misses = 0;
+  while (!track.is_dead && misses < limit) {
+    track.predict({scan, {}, kPeriod_s}, 0.1);
+    track.count_miss({scan, {}, kPeriod_s}, 0.25, {});
+    ++misses;
+  }
+  return misses;
+}
+
+TEST(LiveTrackTest, LogOddsUndoTheLogisticFunction) {
+  for (const double x : {-3.0, -0.5, 0.0, 2.0})
+    EXPECT_NEAR(log_odds_of(1.0 / (1.0 + std::exp(-x))), x, 1e-12);
+  EXPECT_EQ(log_odds_of(0.0), -4.0);
+  EXPECT_EQ(log_odds_of(1.0), 4.0);
+  EXPECT_EQ(log_odds_of(std::nan("")), -4.0);
+}
+
+TEST(LiveTrackTest, EvidenceIsAnExponentialMean) {
+  const TrackOptions options;
+  const LaserScan scan = hall(0.0, false);
+  LiveTrack track;
+  double expected = 1.0;
+  track.count_hit(1.0, {scan, {}, kPeriod_s}, options);
+  for (const double log_odds : {-1.0, 2.0, 0.5}) {
+    track.count_hit(log_odds, {scan, {}, kPeriod_s}, options);
+    expected = 0.8 * expected + 0.2 * log_odds;
+  }
+  EXPECT_NEAR(track.evidence(options), expected, 1e-12);
+  EXPECT_NEAR(track.score(options), 1.0 / (1.0 + std::exp(-expected)), 1e-12);
+}
+
+TEST(LiveTrackTest, WalkingAddsToTheEvidenceUpToItsBound) {
+  const TrackOptions options;
+  LiveTrack track;
+  for (int i = 0; i <= 40; ++i) {
+    const LaserScan scan = hall(kPeriod_s * i, false);
+    track.point.p_m = {0.1 * i, 0.0};
+    track.count_hit(0.0, {scan, {}, kPeriod_s}, options);
+  }
+  EXPECT_TRUE(track.is_mobile);
+  EXPECT_NEAR(track.evidence(options), options.max_displacement_evidence, 1e-12);
+}
+
+TEST(LiveTrackTest, TheGateGrowsWhileNothingIsSeen) {
+  const TrackOptions options;
+  LiveTrack track = hit_twice({2.0, 2.0}, 0.0);
+  EXPECT_DOUBLE_EQ(track.gate_m(options), 0.15);
+  const LaserScan scan = hall(0.0, false);
+  track.predict({scan, {}, kPeriod_s}, 0.1);
+  EXPECT_DOUBLE_EQ(track.gate_m(options), 0.15 + 1.8 * kPeriod_s);
+  for (int i = 0; i < 10; ++i) track.predict({scan, {}, kPeriod_s}, 0.1);
+  EXPECT_DOUBLE_EQ(track.gate_m(options), 0.6);
+}
+
+TEST(LiveTrackTest, APlaceSeenThroughIsForgottenSoonAHiddenOneLater) {
+  LiveTrack in_the_open = hit_twice({3.0, 1.5}, 0.0);
+  LiveTrack behind_the_column = hit_twice({3.0, 0.0}, 0.0);
+  const int open = misses_until_dead(in_the_open, true, 1000);
+  const int hidden = misses_until_dead(behind_the_column, true, 1000);
+  EXPECT_GT(open, 2);  // scans through which it coasts
+  EXPECT_LE(open, 6);
+  EXPECT_NEAR(hidden, 30, 2);  // max_hidden_s of 3 s
+}
+
+TEST(LiveTrackTest, OneHitAloneIsNotRemembered) {
+  const LaserScan scan = hall(0.0, true);
+  LiveTrack track;
+  track.point.p_m = {3.0, 0.0};
+  track.count_hit(0.0, {scan, {}, kPeriod_s}, {});
+  EXPECT_LE(misses_until_dead(track, true, 1000), 3);
+}
+
+TEST(LiveTrackTest, IsSettledOnlyAfterAWhileOfStanding) {
+  const TrackOptions options;
+  LiveTrack track;
+  for (int i = 0; i <= 20; ++i) {
+    const LaserScan scan = hall(kPeriod_s * i, false);
+    track.count_hit(1.0, {scan, {}, kPeriod_s}, options);
+    EXPECT_EQ(track.is_settled(), kPeriod_s * i > 0.65) << i;
+  }
+}
+
+TEST(LiveTrackTest, IsSeenFromTheSensor) {
+  LiveTrack track = hit_twice({2.0, 3.0}, 0.0);
+  track.point.v_m_per_s = {1.0, 0.0};
+  const Track seen = seen_from({{2.0, 1.0}, kPi / 2}, track, {});
+  EXPECT_NEAR((seen.position_m - Eigen::Vector2d(2.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((seen.velocity_m_per_s - Eigen::Vector2d(0.0, -1.0)).norm(), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace scanbed

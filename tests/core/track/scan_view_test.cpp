@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "core/track/scan_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+LaserScan hall_with_column() {
+  testing::IdealScene hall;
+  hall.wall({6.0, -10.0}, {6.0, 10.0});
+  hall.cylinder({3.0, 0.0}, 0.3);
+  return hall.scan();
+}
+
+TEST(ScanViewTest, TellsWhatBeamsSayOfAPlace) {
+  const LaserScan scan = hall_with_column();
+  EXPECT_EQ(view_of(scan, {3.0, 0.0}, 0.3), PlaceView::kOccupied);
+  EXPECT_EQ(view_of(scan, {4.5, 0.0}, 0.25), PlaceView::kHidden);
+  EXPECT_EQ(view_of(scan, {3.0, 1.5}, 0.25), PlaceView::kEmpty);
+  EXPECT_EQ(view_of(scan, {-3.0, 0.1}, 0.25), PlaceView::kOutOfView);
+}
+
+TEST(ScanViewTest, NoEchoIsAPlaceSeenThrough) {
+  LaserScan scan = hall_with_column();
+  for (double& range_m : scan.range_m) range_m = kNoEcho;
+  EXPECT_EQ(view_of(scan, {3.0, 0.0}, 0.3), PlaceView::kEmpty);
+}
+
+TEST(ScanViewTest, ABlindScanSeesNothing) {
+  LaserScan scan = hall_with_column();
+  for (double& range_m : scan.range_m) range_m = kInvalid;
+  EXPECT_EQ(view_of(scan, {3.0, 0.0}, 0.3), PlaceView::kOutOfView);
+  EXPECT_EQ(view_of(LaserScan{.geometry = {.num_beams = 0}}, {3.0, 0.0}, 0.3), PlaceView::kOutOfView);
+}
+
+TEST(ScanViewTest, FollowsAClockwiseAndAFullTurn) {
+  ScanGeometry clockwise;
+  clockwise.first_rad = kPi / 2;
+  clockwise.step_rad = -clockwise.step_rad;
+  ScanGeometry full_turn{.num_beams = 720, .first_rad = 0.0, .step_rad = kPi / 360};
+  for (const ScanGeometry& geometry : {clockwise, full_turn}) {
+    testing::IdealScene hall(geometry);
+    hall.wall({6.0, -10.0}, {6.0, 10.0});
+    hall.cylinder({3.0, -2.0}, 0.3);
+    EXPECT_EQ(view_of(hall.scan(), {3.0, -2.0}, 0.3), PlaceView::kOccupied);
+    EXPECT_EQ(view_of(hall.scan(), {4.2, -2.8}, 0.2), PlaceView::kHidden);
+    EXPECT_EQ(view_of(hall.scan(), {3.0, 2.0}, 0.3), PlaceView::kEmpty);
+  }
+}
+
+}  // namespace
+}  // namespace scanbed

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "core/track/tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/errors/input_error.hpp"
+#include "tests/core/track/made_features.hpp"
+
+namespace scanbed {
+namespace {
+
+using testing::circle_at;
+using testing::leg_at;
+using testing::open_scan;
+
+Features walker_and_column(double time_s) {
+  Features features;
+  features.circles = {circle_at({4.0, 1.5}, 0.25)};
+  features.legs = {leg_at({1.0 + time_s, 0.1}), leg_at({1.0 + time_s, -0.1})};
+  return features;
+}
+
+// p and its like seen by a sensor at X_WS.
+Features seen_from(const Pose2& X_WS, Features features) {
+  const Pose2 X_SW = X_WS.inverse();
+  for (Circle& circle : features.circles) circle.center_m = X_SW * circle.center_m;
+  for (Leg& leg : features.legs) leg.middle_m = X_SW * leg.middle_m;
+  return features;
+}
+
+TEST(TrackerTest, ReportsFromTheSecondHitOn) {
+  Tracker tracker;
+  EXPECT_TRUE(tracker.update(open_scan(0.0), walker_and_column(0.0), Pose2{}).empty());
+  const std::vector<Track>& tracks = tracker.update(open_scan(0.1), walker_and_column(0.1), Pose2{});
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_EQ(tracks[0].kind, TrackKind::kPerson);
+  EXPECT_EQ(tracks[1].id, 2);
+  EXPECT_EQ(tracks[1].kind, TrackKind::kCylinder);
+  EXPECT_EQ(tracks[1].radius_m, 0.25);
+}
+
+TEST(TrackerTest, KeepsIdsAndGivesVelocitiesOverGroundWhileTheSensorDrives) {
+  Tracker tracker;
+  for (int i = 0; i <= 30; ++i) {
+    const double time_s = 0.1 * i;
+    const Pose2 X_WS{{-0.3 * time_s, 0.1 * time_s}, 0.4 * time_s};
+    const std::vector<Track>& tracks =
+        tracker.update(open_scan(time_s), seen_from(X_WS, walker_and_column(time_s)), X_WS);
+    if (i == 0) continue;
+    ASSERT_EQ(tracks.size(), 2u);
+    EXPECT_EQ(tracks[0].id, 1);
+    EXPECT_EQ(tracks[1].id, 2);
+    if (i < 20) continue;
+    EXPECT_NEAR((X_WS.rotate(tracks[0].velocity_m_per_s) - Eigen::Vector2d(1.0, 0.0)).norm(), 0.0, 0.1);
+    EXPECT_NEAR(tracks[1].velocity_m_per_s.norm(), 0.0, 0.05);
+    EXPECT_NEAR((X_WS * tracks[0].position_m - Eigen::Vector2d(1.0 + time_s, 0.0)).norm(), 0.0, 0.05);
+    EXPECT_TRUE(tracks[1].is_settled);
+  }
+}
+
+TEST(TrackerTest, TurningTheWorldTurnsTheTracks) {
+  const Pose2 X_VW{{2.0, -1.0}, 1.1};  // the same events, in another frame of the sensor
+  Tracker plain;
+  Tracker turned;
+  for (int i = 0; i <= 20; ++i) {
+    const double time_s = 0.1 * i;
+    const std::vector<Track> a = plain.update(open_scan(time_s), walker_and_column(time_s), Pose2{});
+    const std::vector<Track>& b =
+        turned.update(open_scan(time_s), seen_from(X_VW.inverse(), walker_and_column(time_s)), Pose2{});
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      EXPECT_EQ(a[k].id, b[k].id);
+      EXPECT_EQ(a[k].kind, b[k].kind);
+      EXPECT_NEAR((X_VW * a[k].position_m - b[k].position_m).norm(), 0.0, 1e-9);
+      EXPECT_NEAR((X_VW.rotate(a[k].velocity_m_per_s) - b[k].velocity_m_per_s).norm(), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(TrackerTest, NewOptionsLoseNoTrack) {
+  Tracker tracker;
+  for (int i = 0; i < 10; ++i) tracker.update(open_scan(0.1 * i), walker_and_column(0.1 * i), Pose2{});
+  TrackOptions options;
+  options.gate_m = 0.3;
+  options.displacement_window_s = 1.0;
+  tracker.set_options(options);
+  const std::vector<Track>& tracks = tracker.update(open_scan(1.0), walker_and_column(1.0), Pose2{});
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_EQ(tracks[1].id, 2);
+  options.gate_m = -1.0;
+  EXPECT_THROW(tracker.set_options(options), InputError);
+  EXPECT_EQ(tracker.options().gate_m, 0.3);
+}
+
+TEST(TrackerTest, DoubtfulPeopleAreFollowedButNotReported) {
+  Tracker tracker;
+  for (int i = 0; i < 10; ++i) {
+    Features features;
+    features.legs = {leg_at({2.0, 0.1}, 0.2), leg_at({2.0, -0.1}, 0.2)};
+    EXPECT_TRUE(tracker.update(open_scan(0.1 * i), features, Pose2{}).empty());
+  }
+  Features features;
+  features.legs = {leg_at({2.0, 0.1}, 0.99), leg_at({2.0, -0.1}, 0.99)};
+  for (int i = 10; i < 20; ++i) tracker.update(open_scan(0.1 * i), features, Pose2{});
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+}
+
+TEST(TrackerTest, ALegThatIsACircleTooIsNoCylinder) {
+  Tracker tracker;
+  for (int i = 0; i < 5; ++i) {
+    Features features;
+    features.legs = {leg_at({2.0, 0.1})};
+    features.legs[0].beams = {100, 106};
+    features.circles = {circle_at({2.05, 0.1}, 0.10)};
+    features.circles[0].beams = {99, 107};
+    const std::vector<Track>& tracks = tracker.update(open_scan(0.1 * i), features, Pose2{});
+    for (const Track& track : tracks) EXPECT_EQ(track.kind, TrackKind::kLeg);
+  }
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+}
+
+TEST(TrackerTest, OddScansAndClocksAreFine) {
+  Tracker tracker;
+  LaserScan empty;
+  empty.geometry.num_beams = 0;
+  tracker.update(empty, Features{});
+  tracker.update(open_scan(5.0), walker_and_column(0.0));
+  tracker.update(open_scan(1.0), walker_and_column(0.1));
+  tracker.update(open_scan(1e9), walker_and_column(0.2));
+  LaserScan timeless = open_scan(std::nan(""));
+  tracker.update(timeless, walker_and_column(0.3));
+  tracker.update(open_scan(2.0), walker_and_column(0.4));
+  for (const Track& track : tracker.tracks()) EXPECT_TRUE(track.position_m.allFinite());
+}
+
+}  // namespace
+}  // namespace scanbed
