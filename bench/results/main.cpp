@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/results/recorded_results.hpp"
+#include "bench/results/simulated_results.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -68,10 +69,50 @@ void print_legs(const std::filesystem::path& data) {
   print_row("nobody", "false legs a scan, within 5 m", false_legs);
 }
 
+std::string with_interval(const std::vector<Share>& runs) {
+  const Estimate share = pooled_share(runs);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4f (%.3f to %.3f)", share.value, share.low, share.high);
+  return text;
+}
+
+void print_simulated(const SimulatedSet& set) {
+  std::vector<SimulatedResult> results;
+  for (const DetectorOptions& preset : kPresets) results.push_back(simulated_results(set, preset));
+  char name[64];
+  std::snprintf(name, sizeof name, "%s, %g mm", name_of(set.worlds), 1000.0 * set.sigma_m);
+  const auto row = [&](const char* figure, const auto& value_of) {
+    Values values;
+    for (const SimulatedResult& result : results) values.push_back(value_of(result));
+    print_row(name, figure, values);
+  };
+  row("circles: precision", [](const auto& r) { return with_interval(r.circle.precision); });
+  row("circles: recall", [](const auto& r) { return with_interval(r.circle.recall); });
+  row("circles: median centre error",
+      [](const auto& r) { return decimals(1000.0 * median_of(r.center_errors_m), " mm"); });
+  row("lines: precision", [](const auto& r) { return with_interval(r.line.precision); });
+  row("lines: recall", [](const auto& r) { return with_interval(r.line.recall); });
+  row("false circles a scan",
+      [](const auto& r) { return decimals(static_cast<double>(r.num_false_circles) / r.num_scans, ""); });
+  row("false legs a scan",
+      [](const auto& r) { return decimals(static_cast<double>(r.num_false_legs) / r.num_scans, ""); });
+}
+
+void print_all_simulated() {
+  std::printf(
+      "| 200 random worlds | figure (95 %% interval over worlds) | `paper` | `robust` "
+      "|\n|---|---|---|---|\n");
+  for (const WorldSet worlds : kWorldSets) {
+    for (const double sigma_m : {0.005, 0.012}) print_simulated({.worlds = worlds, .sigma_m = sigma_m});
+  }
+  std::printf("\n");
+}
+
 }  // namespace
 }  // namespace scanbed::bench
 
 int main() {
+  scanbed::bench::print_all_simulated();
   const std::filesystem::path data = std::filesystem::path(SCANBED_SOURCE_DIR) / "../shared/data";
   if (!std::filesystem::exists(data)) {
     std::fprintf(stderr, "results: the recordings are not there (%s); nothing to measure\n", data.c_str());

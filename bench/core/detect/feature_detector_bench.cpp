@@ -20,8 +20,7 @@ struct Parts {
   bool prerequisite = true;
 };
 
-DetectorOptions options_for(const Parts& parts) {
-  DetectorOptions options = paper_options();
+DetectorOptions options_for(const Parts& parts, DetectorOptions options = paper_options()) {
   if (!parts.lines) options.line.method = LineMethod::kOff;
   if (!parts.circles) options.circle.method = CircleMethod::kOff;
   options.leg.enabled = parts.legs;
@@ -30,8 +29,9 @@ DetectorOptions options_for(const Parts& parts) {
 }
 
 // One iteration detects in one scan; scans take turns.
-void detect_in_turn(benchmark::State& state, const std::vector<LaserScan>& scans, const Parts& parts) {
-  FeatureDetector detector(options_for(parts));
+void detect_in_turn(benchmark::State& state, const std::vector<LaserScan>& scans,
+                    const DetectorOptions& options) {
+  FeatureDetector detector(options);
   std::size_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(&detector.detect(scans[i]));
@@ -82,11 +82,19 @@ void register_recorded(const std::vector<bench::BenchScans>& sets) {
       {.name = "legs", .legs = true},
       {.name = "all", .lines = true, .circles = true, .legs = true},
   };
+  constexpr Parts kShapes{.name = "shapes", .lines = true, .circles = true};
   for (const bench::BenchScans& set : sets) {
     for (const Parts& parts : kParts) {
       const std::string name = "paper/" + std::string(parts.name) + "/" + set.name;
-      benchmark::RegisterBenchmark(
-          name.c_str(), [&set, &parts](benchmark::State& state) { detect_in_turn(state, set.scans, parts); });
+      benchmark::RegisterBenchmark(name.c_str(), [&set, &parts](benchmark::State& state) {
+        detect_in_turn(state, set.scans, options_for(parts));
+      });
+    }
+    for (const Parts& parts : {kParts[0], kShapes, kParts[5]}) {
+      const std::string name = "robust/" + std::string(parts.name) + "/" + set.name;
+      benchmark::RegisterBenchmark(name.c_str(), [&set, parts](benchmark::State& state) {
+        detect_in_turn(state, set.scans, options_for(parts, robust_options()));
+      });
     }
   }
 }
