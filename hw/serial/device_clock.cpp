@@ -20,7 +20,8 @@ double DeviceClock::to_local_s(std::int64_t stamp, double arrival_s) {
   last_arrival_s_ = arrival_s;
   const double device_s = static_cast<double>(base_ + stamp) * tick_s_;
   offset_s_ = std::min(offset_s_, arrival_s - device_s);
-  return device_s + offset_s_;
+  local_s_ = std::max(local_s_, device_s + offset_s_);
+  return local_s_;
 }
 
 }  // namespace scanbed::hw

@@ -14,7 +14,8 @@ class DeviceClock {
   /// @param tick_s  of one count.
   DeviceClock(int bits, double tick_s) : modulus_(std::int64_t{1} << bits), tick_s_(tick_s) {}
 
-  /// When the stamp was taken, by this machine's clock; never later than `arrival_s`.
+  /// When the stamp was taken, by this machine's clock; never later than `arrival_s`. Times never go back:
+  /// where a quick arrival shows that those before were late, they stand still until it has caught up.
   double to_local_s(std::int64_t stamp, double arrival_s);
 
  private:
@@ -23,6 +24,7 @@ class DeviceClock {
   std::int64_t base_ = 0;
   std::int64_t last_ = -1;
   double last_arrival_s_ = 0.0;
+  double local_s_ = -std::numeric_limits<double>::infinity();
   double offset_s_ = std::numeric_limits<double>::infinity();  // local minus device, the least seen so far
 };
 

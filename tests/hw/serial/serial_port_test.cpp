@@ -9,6 +9,7 @@
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/pseudo_terminal.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "tests/support/least_time.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -41,10 +42,9 @@ TEST(SerialPortTest, ReadingWaitsForTheTimeGivenAndNoLonger) {
   SerialPort port(terminal.path());
   const StopSignal stop;
   std::array<std::uint8_t, 8> buffer{};
-  const double start_s = steady_now_s();
-  EXPECT_EQ(port.read(buffer, 0.1, stop), 0U);
-  EXPECT_GE(steady_now_s() - start_s, 0.099);
-  EXPECT_LT(steady_now_s() - start_s, 1.0);
+  const double least_s = tests::least_seconds(0.15, [&] { EXPECT_EQ(port.read(buffer, 0.1, stop), 0U); });
+  EXPECT_GE(least_s, 0.099);
+  EXPECT_LT(least_s, 0.15);
 }
 
 TEST(SerialPortTest, FlushForgetsWhatArrived) {
@@ -53,7 +53,7 @@ TEST(SerialPortTest, FlushForgetsWhatArrived) {
   const StopSignal stop;
   terminal.write(Bytes{1, 2, 3});
   std::array<std::uint8_t, 1> one{};
-  ASSERT_EQ(port.read(one, 1.0, stop), 1U);
+  ASSERT_EQ(port.read(one, 20.0, stop), 1U);
   port.flush_input();
   EXPECT_EQ(port.read(one, 0.05, stop), 0U);
 }

@@ -15,7 +15,7 @@ namespace {
 class TcpLinkTest : public ::testing::Test {
  protected:
   TcpLink accept() {
-    wait_for(listener_.fd(), POLLIN, 5.0, stop_);
+    wait_for(listener_.fd(), POLLIN, 20.0, stop_);
     return TcpLink(listener_.accept());
   }
 
@@ -24,25 +24,25 @@ class TcpLinkTest : public ::testing::Test {
 };
 
 TEST_F(TcpLinkTest, CarriesBytesBothWays) {
-  TcpLink here("127.0.0.1", listener_.port(), 5.0, stop_);
+  TcpLink here("127.0.0.1", listener_.port(), 20.0, stop_);
   TcpLink there = accept();
   std::array<std::uint8_t, 16> buffer{};
   here.write(Bytes{1, 2, 3}, stop_);
-  EXPECT_EQ(there.read(buffer, 5.0, stop_), 3u);
+  EXPECT_EQ(there.read(buffer, 20.0, stop_), 3u);
   there.write(Bytes{4, 5}, stop_);
-  EXPECT_EQ(here.read(buffer, 5.0, stop_), 2u);
+  EXPECT_EQ(here.read(buffer, 20.0, stop_), 2u);
   EXPECT_EQ(buffer[1], 5);
 }
 
 TEST_F(TcpLinkTest, NoticesThatTheOtherEndIsGone) {
-  TcpLink here("127.0.0.1", listener_.port(), 5.0, stop_);
+  TcpLink here("127.0.0.1", listener_.port(), 20.0, stop_);
   { TcpLink there = accept(); }
   std::array<std::uint8_t, 16> buffer{};
-  EXPECT_THROW(here.read(buffer, 5.0, stop_), SensorFault);
+  EXPECT_THROW(here.read(buffer, 20.0, stop_), SensorFault);
 }
 
 TEST_F(TcpLinkTest, ReadsNothingWhereNothingComes) {
-  TcpLink here("127.0.0.1", listener_.port(), 5.0, stop_);
+  TcpLink here("127.0.0.1", listener_.port(), 20.0, stop_);
   std::array<std::uint8_t, 16> buffer{};
   const double start_s = steady_now_s();
   EXPECT_EQ(here.read(buffer, 0.05, stop_), 0u);
@@ -50,11 +50,11 @@ TEST_F(TcpLinkTest, ReadsNothingWhereNothingComes) {
 }
 
 TEST_F(TcpLinkTest, FlushForgetsWhatArrived) {
-  TcpLink here("127.0.0.1", listener_.port(), 5.0, stop_);
+  TcpLink here("127.0.0.1", listener_.port(), 20.0, stop_);
   TcpLink there = accept();
   there.write(Bytes{1, 2}, stop_);
   std::array<std::uint8_t, 1> one{};
-  ASSERT_EQ(here.read(one, 5.0, stop_), 1u);
+  ASSERT_EQ(here.read(one, 20.0, stop_), 1u);
   here.flush_input();
   EXPECT_EQ(here.read(one, 0.02, stop_), 0u);
 }

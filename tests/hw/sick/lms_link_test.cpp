@@ -5,8 +5,8 @@
 
 #include <deque>
 
-#include "hw/serial/steady_clock.hpp"
 #include "tests/support/hex.hpp"
+#include "tests/support/least_time.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -71,10 +71,10 @@ TEST_F(LmsLinkTest, AsksAgainAfterNakAndSilence) {
 }
 
 TEST_F(LmsLinkTest, GivesUpInTheEnd) {
-  const double start_s = steady_now_s();
   EXPECT_THROW(ask(), SensorFault);
   EXPECT_EQ(port_.requests.size(), 3U);
-  EXPECT_LT(steady_now_s() - start_s, 3.0);
+  // Three times the patience for a first sign.
+  EXPECT_LT(tests::least_seconds(0.3, [this] { EXPECT_THROW(ask(), SensorFault); }), 0.3);
 }
 
 TEST_F(LmsLinkTest, DoesNotAskAgainWhatWasRefused) {
@@ -99,10 +99,11 @@ TEST_F(LmsLinkTest, NoticesAReboot) {
 TEST_F(LmsLinkTest, AcknowledgementsInsideGarbageDoNotHoldItUp) {
   Bytes garbage;
   for (int i = 0; i < 400; ++i) garbage.push_back(static_cast<std::uint8_t>(i % 50 == 0 ? 0x06 : 0xAA));
-  port_.answers = {garbage, garbage, garbage};
-  const double start_s = steady_now_s();
-  EXPECT_THROW(ask(), SensorFault);
-  EXPECT_LT(steady_now_s() - start_s, 3 * 0.2);
+  const double least_s = tests::least_seconds(3 * 0.2, [&] {
+    port_.answers = {garbage, garbage, garbage};
+    EXPECT_THROW(ask(), SensorFault);
+  });
+  EXPECT_LT(least_s, 3 * 0.2);
 }
 
 TEST_F(LmsLinkTest, StopsAtOnce) {

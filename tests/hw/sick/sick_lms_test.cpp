@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/errors/input_error.hpp"
@@ -15,8 +16,10 @@ namespace scanbed::hw {
 namespace {
 
 using tests::number_of;
+using tests::patient_driver;
 using tests::quick_driver;
 using tests::quick_sensor;
+using tests::quick_sensor_at;
 using tests::RunningEmulator;
 using Seconds = RangeSensor::Seconds;
 
@@ -87,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(All, SickLmsSettingTest,
                          });
 
 TEST(SickLmsTest, LosesAndDoublesNothing) {
-  RunningEmulator emulator(quick_sensor());
-  SickLms laser(quick_driver(emulator.port()));
+  RunningEmulator emulator(quick_sensor_at(500000));
+  SickLms laser(patient_driver(emulator.port()));
   LaserScan scan;
   for (int i = 0; i < 500; ++i) {
     ASSERT_TRUE(laser.next(scan, kPatience));
@@ -115,7 +118,8 @@ TEST(SickLmsTest, FindsASensorThatStreamsAtAnotherBaud) {
 TEST(SickLmsTest, GivesTheSensorItsBaudBackAndStopsTheStream) {
   RunningEmulator emulator(quick_sensor());
   {
-    const SickOptions options = quick_driver(emulator.port());
+    SickOptions options = quick_driver(emulator.port());
+    options.patience.close_s = kPatience.count();  // the answer comes within moments, but for a busy machine
     SickLms laser(options);
     expect_true_scans(laser, options, 3);
   }
@@ -125,8 +129,8 @@ TEST(SickLmsTest, GivesTheSensorItsBaudBackAndStopsTheStream) {
 }
 
 TEST(SickLmsTest, WritesTheConfigurationOnceAndOnlyIfItDiffers) {
-  RunningEmulator emulator(quick_sensor());
-  SickOptions options = quick_driver(emulator.port());
+  RunningEmulator emulator(quick_sensor_at(500000));
+  SickOptions options = patient_driver(emulator.port());
   options.unit = RangeUnit::kCentimetre;
   for (int i = 0; i < 3; ++i) {
     SickLms laser(options);
@@ -147,8 +151,8 @@ TEST(SickLmsTest, LeavesAFittingConfigurationAlone) {
 
 TEST(SickLmsTest, ReadsEveryMeasuringMode) {
   for (const int mode : {0, 1, 2, 3, 4, 5, 6, 15}) {
-    RunningEmulator emulator(quick_sensor());
-    SickOptions options = quick_driver(emulator.port());
+    RunningEmulator emulator(quick_sensor_at(500000));
+    SickOptions options = patient_driver(emulator.port());
     options.measuring_mode = static_cast<std::uint8_t>(mode);
     SickLms laser(options);
     expect_true_scans(laser, options, 3);
@@ -156,10 +160,10 @@ TEST(SickLmsTest, ReadsEveryMeasuringMode) {
 }
 
 TEST(SickLmsTest, TakesIndicesForWhatTheyAre) {
-  EmulatorOptions sensor = quick_sensor();
+  EmulatorOptions sensor = quick_sensor_at(500000);
   sensor.configuration.set_availability(0x02);
   RunningEmulator emulator(sensor);
-  const SickOptions options = quick_driver(emulator.port());
+  const SickOptions options = patient_driver(emulator.port());
   SickLms laser(options);
   expect_true_scans(laser, options, 10);
 }
@@ -173,15 +177,12 @@ TEST_P(SickLmsFaultTest, GivesTrueScansAloneAndResumes) {
   for (const double at_s : {first_s, 0.45, 0.8, 0.9}) sensor.faults.push_back({GetParam(), at_s});
   const std::filesystem::path link = ::testing::TempDir() + "lms_" + std::to_string(::getpid());
   RunningEmulator emulator(sensor, tests::numbered_source(), {}, link);
-  SickOptions options = quick_driver(emulator.port());
-  options.patience.num_first_attempts = 1000;
+  const SickOptions options = quick_driver(emulator.port());
   SickLms laser(options);
-  const double end_s = steady_now_s() + 1.2;
-  while (steady_now_s() < end_s) expect_true_scans(laser, options, 20);
+  const double end_s = steady_now_s() + kPatience.count();
+  while (emulator.num_faults() < 4 && steady_now_s() < end_s) expect_true_scans(laser, options, 20);
   // After the last fault the stream goes on.
-  const double resumed_s = steady_now_s();
   expect_true_scans(laser, options, 200);
-  EXPECT_LT(steady_now_s() - resumed_s, kPatience.count());
   EXPECT_EQ(emulator.end().counts().num_faults, 4);
 }
 
@@ -194,12 +195,12 @@ INSTANTIATE_TEST_SUITE_P(All, SickLmsFaultTest,
 
 TEST(SickLmsTest, PassesPollutionOn) {
   EmulatorOptions sensor = quick_sensor();
-  sensor.faults = {{LmsFaultKind::kPollution, 0.5}};
+  sensor.faults = {{LmsFaultKind::kPollution, 0.3}};
   RunningEmulator emulator(sensor);
   SickLms laser(quick_driver(emulator.port()));
   LaserScan scan;
   bool was_polluted = false;
-  const double end_s = steady_now_s() + 5.0;
+  const double end_s = steady_now_s() + kPatience.count();
   while (!was_polluted && steady_now_s() < end_s) {
     ASSERT_TRUE(laser.next(scan, kPatience));
     was_polluted = scan.health.is_polluted && scan.health.severity == 2;
@@ -223,7 +224,7 @@ TEST(SickLmsTest, ARefusalIsTheEnd) {
   // The first change of mode stops a stream that is none; the second would begin one.
   sensor.faults = {{LmsFaultKind::kRefuse, 0.0}, {LmsFaultKind::kRefuse, 0.0}};
   RunningEmulator emulator(sensor);
-  SickOptions options = quick_driver(emulator.port());
+  SickOptions options = patient_driver(emulator.port());
   options.baud = 9600;
   SickLms laser(options);
   SensorFault::Kind kind = SensorFault::Kind::kSimulator;
@@ -253,8 +254,8 @@ TEST(SickLmsTest, SaysThatThereIsNoSuchPort) {
 }
 
 TEST(SickLmsTest, SaysThatAPortIsInUse) {
-  RunningEmulator emulator(quick_sensor());
-  const SickOptions options = quick_driver(emulator.port());
+  RunningEmulator emulator(quick_sensor_at(500000));
+  const SickOptions options = patient_driver(emulator.port());
   SickLms first(options);
   expect_true_scans(first, options, 1);
   SickLms second(options);
@@ -272,7 +273,7 @@ TEST(SickLmsTest, TimesOutWithoutEndingTheStream) {
   SickLms laser(options);
   LaserScan scan;
   bool has_timed_out = false;
-  const double end_s = steady_now_s() + 5.0;
+  const double end_s = steady_now_s() + kPatience.count();
   while (!has_timed_out && steady_now_s() < end_s) {
     try {
       laser.next(scan, Seconds(0.2));
@@ -285,29 +286,48 @@ TEST(SickLmsTest, TimesOutWithoutEndingTheStream) {
   expect_true_scans(laser, options, 5);
 }
 
-/// Whatever the driver is at, it stops within 0.2 s (and what a busy machine adds).
-void expect_quick_stop(const SickOptions& options, double after_s) {
-  auto laser = std::make_unique<SickLms>(options);
-  std::this_thread::sleep_for(Seconds(after_s));
-  const double start_s = steady_now_s();
-  laser.reset();
-  EXPECT_LT(steady_now_s() - start_s, 0.2 + 0.1);
+/// Whatever the driver is at, it stops within 0.2 s. A busy machine makes that longer, never shorter: several
+/// drivers are tried.
+void expect_quick_stop(const SickOptions& options, const std::string& state, double after_s) {
+  double least_s = HUGE_VAL;
+  for (int i = 0; i < 8 && least_s > 0.2; ++i) {
+    auto laser = std::make_unique<SickLms>(options);
+    while (laser->report().state != state) std::this_thread::sleep_for(Seconds(0.001));
+    std::this_thread::sleep_for(Seconds(after_s));
+    const double start_s = steady_now_s();
+    laser.reset();
+    least_s = std::min(least_s, steady_now_s() - start_s);
+  }
+  EXPECT_LE(least_s, 0.2) << state;
 }
 
 TEST(SickLmsTest, StopsAtOnceWhileItLooksForASensor) {
   PseudoTerminal nobody({});
   SickOptions options;
   options.path = nobody.path();
-  for (const double after_s : {0.0, 0.3, 0.9}) expect_quick_stop(options, after_s);
+  for (const double after_s : {0.0, 0.3}) expect_quick_stop(options, "looking for the sensor", after_s);
+}
+
+TEST(SickLmsTest, StopsAtOnceWhileItWaitsForASensorThatFellSilent) {
+  EmulatorOptions sensor;
+  sensor.power_on_baud = 38400;
+  sensor.faults = {{LmsFaultKind::kSilence, 0.6}};
+  sensor.silence_s = 3600.0;
+  RunningEmulator emulator(sensor);
+  SickOptions options;
+  options.path = emulator.port();
+  options.patience.silence_s = 0.1;
+  expect_quick_stop(options, "recovering", 0.0);
 }
 
 TEST(SickLmsTest, StopsAtOnceWhileItStreams) {
-  RunningEmulator emulator(EmulatorOptions{});
+  EmulatorOptions sensor;
+  sensor.power_on_baud = 38400;
+  RunningEmulator emulator(sensor);
   SickOptions options;
   options.path = emulator.port();
-  expect_quick_stop(options, 0.2);
-  options.patience.settle_s = 0.1;
-  expect_quick_stop(options, 2.5);
+  expect_quick_stop(options, "configuring", 0.0);
+  expect_quick_stop(options, "streaming", 0.2);
 }
 
 TEST(SickLmsTest, StopEndsTheStream) {
@@ -324,23 +344,22 @@ TEST(SickLmsTest, StopEndsTheStream) {
 // At 38400 baud a telegram of 732 bytes takes 0.19 s, and a scan 20 ms.
 TEST(SickLmsTest, ScansComeAtTheLinksRateWithTheTimeOfTheirFirstBeam) {
   EmulatorOptions sensor;
+  sensor.power_on_baud = 38400;
   sensor.mode_switch_s = 0.01;
   RunningEmulator emulator(sensor);
-  SickOptions options;
-  options.path = emulator.port();
-  options.patience.settle_s = 0.05;
+  SickOptions options = patient_driver(emulator.port());
+  options.baud = 38400;
   SickLms laser(options);
-  std::vector<double> intervals_s;
+  // A busy machine makes single scans late: a few in a row that were not are enough.
+  int num_in_time = 0;
   LaserScan scan;
   ASSERT_TRUE(laser.next(scan, kPatience));
-  for (int i = 0; i < 7; ++i) {
+  for (int i = 0; i < 100 && num_in_time < 3; ++i) {
     const double last_s = scan.time_s;
     ASSERT_TRUE(laser.next(scan, kPatience));
-    intervals_s.push_back(scan.time_s - last_s);
+    num_in_time = std::abs(scan.time_s - last_s - 9 * 0.02664) < 0.01 ? num_in_time + 1 : 0;
   }
-  // The median: a busy machine makes single ones longer.
-  std::nth_element(intervals_s.begin(), intervals_s.begin() + 3, intervals_s.end());
-  EXPECT_NEAR(intervals_s[3], 9 * 0.02664, 0.03);
+  EXPECT_EQ(num_in_time, 3);
 }
 
 TEST(SickLmsTest, RefusesBadOptions) {

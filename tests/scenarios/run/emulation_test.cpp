@@ -40,8 +40,9 @@ TEST(EmulationTest, TheWireChangesNothing) {
   const Scenario scenario = hallway();
   hw::EmulatorOptions options = emulator_options(scenario);
   options.is_paced = false;
+  options.power_on_baud = 500000;
   tests::RunningEmulator emulator(options, scenario_scans(scenario));
-  hw::SickLms laser(tests::quick_driver(emulator.port()));
+  hw::SickLms laser(tests::patient_driver(emulator.port()));
   sim::SimulatedLms simulated(
       scenario.world, {.lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed});
   LaserScan expected;
