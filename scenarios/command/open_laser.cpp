@@ -25,9 +25,10 @@ std::string plural(std::int64_t count, std::string_view noun) {
 
 Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
                        std::optional<std::uint64_t> seed) {
-  Scenario scenario = load_scenario(find_scenario(name_or_path), settings);
-  if (seed) scenario.seed = *seed;
-  return scenario;
+  std::vector<Setting> all(settings.begin(), settings.end());
+  // Before it is loaded, since bodies and whole worlds are drawn from it.
+  if (seed) all.push_back({.path = "seed", .value = std::to_string(*seed)});
+  return load_scenario(find_scenario(name_or_path), all);
 }
 
 std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backend backend) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <limits>
 #include <string>
 
+#include "core/geometry/angles.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
+#include "sim/world/body.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -39,6 +42,7 @@ sim::Tow load_tow(const Value& value) {
   tow.rope_m = table.number("rope", tow.rope_m, kLength);
   tow.mass_kg = table.number("mass", tow.mass_kg, kMass_kg);
   tow.friction = table.number("friction", tow.friction, kFriction);
+  if (const auto material = table.take("material")) tow.material = load_material(*material);
   const Value shape = table.need("cylinder");
   table.finish();
   Table cylinder(shape);
@@ -55,18 +59,57 @@ double load_start(const Value& value) {
   return after_s;
 }
 
-sim::Walker load_walker(const Value& value) {
-  static const std::array<std::string, 1> kPresets = {"walker"};
+// "forever" or a time.
+double load_rest(const Value& value) {
+  static const std::array<std::string, 1> kForGood = {"forever"};
+  const bool is_word = value.node().text == kForGood[0];
+  return is_word ? std::numeric_limits<double>::infinity() : value.number(kStart);
+}
+
+sim::Stop load_stop(const Value& value) {
   Table table(value);
-  sim::Walker walker;
-  walker.id = table.need("id").text();
-  table.need("use").choice(kPresets);
+  sim::Stop stop;
+  stop.at_m = table.need("at").number({.least = 0.0, .greatest = 1e6});
+  if (const auto rest = table.take("for")) stop.for_s = load_rest(*rest);
+  stop.turn_rad = radians(table.number("turn_deg", 0.0, {.least = -360.0, .greatest = 360.0}));
+  table.finish();
+  return stop;
+}
+
+// A person's body is drawn from seed and id; each of its sizes may still be given.
+void load_body(Table& table, const Scenario& scenario, sim::Walker& walker) {
+  static const std::array<std::string, 3> kPersons = {"woman", "man", "child"};
+  static const std::array<std::string, 3> kClothes = {"bare", "trousers", "skirt"};
+  const auto person = table.take("person");
+  const auto clothing = table.take("clothing");
+  if (clothing && !person) clothing->refuse("goes with person, whose legs it covers");
+  if (person) {
+    const auto kind = static_cast<sim::Person>(person->choice(kPersons));
+    const auto worn =
+        clothing ? static_cast<sim::Clothing>(clothing->choice(kClothes)) : sim::Clothing::kBare;
+    give_body(walker, draw_body(kind, scenario.seed, walker.id), worn, scenario.world.robot.laser_height_m);
+  }
   walker.speed_m_per_s = table.number("speed", walker.speed_m_per_s, kSpeed);
   walker.leg_radius_m = table.number("leg_radius", walker.leg_radius_m, kBodySize);
   walker.leg_length_m = table.number("leg_length", walker.leg_length_m, kBodySize);
   walker.step_width_m = table.number("step_width", walker.step_width_m, kBodySize);
   walker.height_m = table.number("height", walker.height_m, kBodySize);
+  if (const auto material = table.take("material")) walker.material = load_material(*material);
+}
+
+sim::Walker load_walker(const Value& value, const Scenario& scenario) {
+  static const std::array<std::string, 1> kPresets = {"walker"};
+  Table table(value);
+  sim::Walker walker;
+  walker.id = table.need("id").text();
+  table.need("use").choice(kPresets);
+  load_body(table, scenario, walker);
   if (const auto start = table.take("start")) walker.start_s = load_start(*start);
+  walker.lateral_m = table.number("lateral", walker.lateral_m, {.least = -10.0, .greatest = 10.0});
+  walker.avoids = table.flag("avoids", walker.avoids);
+  if (const auto stops = table.take("stops")) {
+    for (const Value& stop : stops->items()) walker.stops.push_back(load_stop(stop));
+  }
   const Value path = table.need("path");
   const auto tows = table.take("tows");
   table.finish();
@@ -77,8 +120,8 @@ sim::Walker load_walker(const Value& value) {
 
 }  // namespace
 
-void load_actors(const Value& value, std::vector<sim::Walker>& walkers) {
-  for (const Value& item : value.items()) walkers.push_back(load_walker(item));
+void load_actors(const Value& value, Scenario& scenario) {
+  for (const Value& item : value.items()) scenario.world.walkers.push_back(load_walker(item, scenario));
 }
 
 }  // namespace scanbed::scenarios

@@ -9,6 +9,7 @@
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
 #include "scenarios/load/yaml.hpp"
+#include "sim/sensor/sensor_presets.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -77,13 +78,14 @@ void load_header(Table& table, Scenario& scenario) {
 
 Scenario load_tree(const Value& root) {
   Scenario scenario;
+  scenario.lms = sim::sensor_preset("sick_lms200");
   Table table(root);
   table.take("vars");  // read before
   load_header(table, scenario);
   if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
   if (const auto robot = table.take("robot")) load_robot(*robot, scenario.world.robot);
   if (const auto world = table.take("world")) load_solids(*world, scenario.world.solids);
-  if (const auto actors = table.take("actors")) load_actors(*actors, scenario.world.walkers);
+  if (const auto actors = table.take("actors")) load_actors(*actors, scenario);
   if (const auto score = table.take("score")) load_score(*score, scenario);
   if (const auto outputs = table.take("outputs")) load_outputs(*outputs, scenario);
   table.finish();
@@ -107,6 +109,15 @@ const TreeNode* find_named_in(std::string_view message, const TreeNode& node) {
   return nullptr;
 }
 
+// Where to look for what a message is about: the object that it names, else the section that it begins with.
+Place place_of(std::string_view message, const TreeNode& root) {
+  if (const TreeNode* named = find_named_in(message, root)) return named->place;
+  for (const NodeEntry& entry : root.entries) {
+    if (message.starts_with(entry.key)) return entry.value.place;
+  }
+  return {root.place.source, 0, 0};
+}
+
 // Everything above checks single values; here the parts check each other.
 void validate_parts(const Scenario& scenario, const TreeNode& root) {
   try {
@@ -114,8 +125,7 @@ void validate_parts(const Scenario& scenario, const TreeNode& root) {
     scenario.match.validate();
     scenario.world.validate();
   } catch (const InputError& error) {
-    const TreeNode* named = find_named_in(error.what(), root);
-    refuse(named != nullptr ? named->place : Place{root.place.source, 0, 0}, error.what());
+    refuse(place_of(error.what(), root), error.what());
   }
 }
 

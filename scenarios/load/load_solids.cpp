@@ -11,7 +11,6 @@ namespace scanbed::scenarios {
 namespace {
 
 constexpr Allowed kHeight{.least = 0.0, .greatest = 100.0};
-constexpr Allowed kReflectivity{.least = 0.0, .greatest = 1.0, .open = true};
 constexpr double kSeatThickness_m = 0.05;
 
 sim::Cylinder load_cylinder(const Value& value) {
@@ -44,12 +43,7 @@ sim::Solid load_frame(Table& table, std::string_view default_label) {
   if (solid.top_m <= solid.bottom_m) {
     (top ? *top : table.value()).refuse(fmt::format("must be above the bottom, {}", solid.bottom_m));
   }
-  if (const auto material = table.take("material")) {
-    Table properties(*material);
-    solid.material.reflectivity =
-        properties.number("reflectivity", solid.material.reflectivity, kReflectivity);
-    properties.finish();
-  }
+  if (const auto material = table.take("material")) solid.material = load_material(*material);
   return solid;
 }
 

@@ -9,17 +9,20 @@ namespace scanbed::scenarios {
 // The sections of a scenario file, each read by a file of its own (load_sensor.cpp, ...). All throw
 // InputError with the place of the first value that does not fit.
 
-/// `sensor:`; sets the LMS's options and the robot's laser height.
+/// `sensor:`; sets the sensor's options, and height, pitch and roll of the robot's laser.
 void load_sensor(const Value& value, Scenario& scenario);
 
-/// `robot:`; sets the world's robot, except for the laser's height.
+/// `robot:`; sets the world's robot, except for what `sensor:` says of its laser.
 void load_robot(const Value& value, sim::Robot& robot);
 
 /// `world:`, a list of solids; adds them.
 void load_solids(const Value& value, std::vector<sim::Solid>& solids);
 
-/// `actors:`, a list of walkers; adds them.
-void load_actors(const Value& value, std::vector<sim::Walker>& walkers);
+/// `actors:`, a list of walkers; adds them. @pre  seed and laser height are known: bodies depend on them.
+void load_actors(const Value& value, Scenario& scenario);
+
+/// `material:`, the name of a material or a map that may change it.
+sim::Material load_material(const Value& value);
 
 /// `score:`; sets when a detection counts as right, and the needs.
 void load_score(const Value& value, Scenario& scenario);

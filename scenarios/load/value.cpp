@@ -42,12 +42,6 @@ std::string to_text(const Allowed& allowed) {
   return fmt::format("<= {}", allowed.greatest);
 }
 
-std::vector<std::string> names_of(const Variables& variables) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : variables) names.push_back(name);
-  return names;
-}
-
 }  // namespace
 
 void Value::refuse(std::string_view message) const {
@@ -61,20 +55,16 @@ const std::string& Value::scalar(std::string_view expected) const {
   return node_->text;
 }
 
-double Value::variable(std::string_view name) const {
-  const auto found = variables_->find(std::string(name));
-  if (found != variables_->end()) return found->second;
-  refuse(
-      fmt::format("unknown variable {}{}", quote(name), name_hint(name, names_of(*variables_), "variables")));
-}
-
 double Value::resolve(std::string_view expected) const {
-  const std::string_view text = scalar(expected);
-  if (!node_->is_quoted && text.starts_with('$')) return variable(text.substr(1));
-  if (!node_->is_quoted && text.starts_with("-$")) return -variable(text.substr(2));
+  const std::string& text = scalar(expected);
   const std::optional<double> number = node_->is_quoted ? std::nullopt : parse_number(text);
-  if (!number) refuse(fmt::format("expected {}, found {}", expected, quote(text)));
-  return *number;
+  if (number) return *number;
+  // In quotes only what cannot be meant as text: a plain number in quotes stays text.
+  const bool is_arithmetic = looks_like_arithmetic(text) && !(node_->is_quoted && parse_number(text));
+  if (!is_arithmetic) refuse(fmt::format("expected {}, found {}", expected, quote(text)));
+  const Evaluated result = evaluate(text, *variables_);
+  if (result.fault.empty()) return result.value;
+  refuse(result.is_unknown ? result.fault : quote(text) + ": " + result.fault);
 }
 
 double Value::number(const Allowed& allowed) const {

@@ -4,19 +4,16 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
+#include "scenarios/load/expression.hpp"
 #include "scenarios/load/node.hpp"
 
 namespace scanbed::scenarios {
-
-/// Names that numbers of a file may refer to as "$name" or "-$name".
-using Variables = std::map<std::string, double>;
 
 /// The numbers that a key allows: [least, greatest], or (least, greatest] where `open`.
 struct Allowed {
@@ -44,6 +41,7 @@ class Value {
   const std::string& name() const { return name_; }
   const Variables& variables() const { return *variables_; }
 
+  /// A number, or arithmetic over numbers and variables (in quotes where it holds a comma or a colon).
   double number(const Allowed& allowed = {}) const;
   std::int64_t count(const Allowed& allowed = {}) const;
   bool flag() const;         ///< true or false, and no other spelling
@@ -60,7 +58,6 @@ class Value {
 
  private:
   const std::string& scalar(std::string_view expected) const;
-  double variable(std::string_view name) const;
   double resolve(std::string_view expected) const;
 
   const TreeNode* node_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/scenarios/scenario_text.hpp"
 
 namespace scanbed::scenarios {
@@ -35,6 +37,45 @@ TEST(LoadActorsTest, TakesEveryKeyOfAWalker) {
   EXPECT_FALSE(ann.path.leave);
   EXPECT_FALSE(ann.tow.has_value());
   EXPECT_EQ(ann.path.points_m.at(1), Eigen::Vector2d(9.0, 5.0));
+}
+
+TEST(LoadActorsTest, DressesPersons) {
+  const sim::Walker child = walker("{id: kim, use: walker, person: child, clothing: skirt, " + kPath + "}");
+  EXPECT_LT(child.height_m, 1.4);
+  EXPECT_GT(child.material.roughness_m, 0.0);
+  const sim::Walker man =
+      walker("{id: kim, use: walker, person: man, speed: 0.8, leg_radius: 0.09, " + kPath + "}");
+  EXPECT_GT(man.height_m, 1.5);
+  EXPECT_EQ(man.speed_m_per_s, 0.8) << "what the file says goes before the body drawn";
+  EXPECT_EQ(man.leg_radius_m, 0.09);
+  EXPECT_EQ(actor_error("{id: a, use: walker, clothing: skirt, " + kPath + "}"),
+            "f:5:36: clothing: goes with person, whose legs it covers");
+}
+
+TEST(LoadActorsTest, DrawsBodiesFromTheSeed) {
+  const std::string text = testing::kHead + "actors: [{id: a, use: walker, person: man, " + kPath + "}]\n";
+  const auto height = [&](const char* seed) {
+    return parse_scenario(text, "f", std::vector<Setting>{{"seed", seed}}).world.walkers.at(0).height_m;
+  };
+  EXPECT_EQ(height("1"), height("1"));
+  EXPECT_NE(height("1"), height("2"));
+}
+
+TEST(LoadActorsTest, TakesWhatWalkersDoOnTheirWay) {
+  const sim::Walker ann = walker(
+      "{id: ann, use: walker, lateral: 0.4, avoids: true, material: dark_cloth, "
+      "stops: [{at: 1, for: 4, turn_deg: 90}, {at: 2, for: forever}], " +
+      kPath + "}");
+  EXPECT_EQ(ann.lateral_m, 0.4);
+  EXPECT_TRUE(ann.avoids);
+  EXPECT_EQ(ann.material.reflectivity, 0.08);
+  ASSERT_EQ(ann.stops.size(), 2u);
+  EXPECT_EQ(ann.stops[0].at_m, 1.0);
+  EXPECT_EQ(ann.stops[0].for_s, 4.0);
+  EXPECT_NEAR(ann.stops[0].turn_rad, kPi / 2, 1e-15);
+  EXPECT_TRUE(std::isinf(ann.stops[1].for_s));
+  EXPECT_EQ(actor_error("{id: a, use: walker, stops: [{at: 2}, {at: 1}], " + kPath + "}").substr(0, 36),
+            "f:5:5: walker 'a': stop 1: at_m: val");
 }
 
 TEST(LoadActorsTest, ReadsPaths) {
