@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/errors/input_error.hpp"
+#include "scenarios/load/include.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
 #include "scenarios/load/yaml.hpp"
@@ -129,9 +130,17 @@ void validate_parts(const Scenario& scenario, const TreeNode& root) {
   }
 }
 
-Scenario load_document(TreeNode root, const std::string& source, std::span<const Setting> settings) {
+// Where a document comes from.
+struct Origin {
+  std::string name;
+  std::filesystem::path folder;  // empty where it is no file
+};
+
+Scenario load_document(TreeNode root, const Origin& origin, std::span<const Setting> settings) {
+  resolve_includes(root, origin.folder);
   for (const Setting& setting : settings) set_path(root, setting);
-  if (root.kind == TreeNode::Kind::kNothing) throw InputError(source + ": is empty; expected a scenario");
+  if (root.kind == TreeNode::Kind::kNothing)
+    throw InputError(origin.name + ": is empty; expected a scenario");
   const Variables none;
   const Value whole(root, "scenario", none);
   // vars are known before anything that may refer to them, wherever they stand in the file.
@@ -146,11 +155,12 @@ Scenario load_document(TreeNode root, const std::string& source, std::span<const
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const Setting> settings) {
-  return load_document(read_yaml(path), path.string(), settings);
+  // "./" where the path is a bare name: a folder that is empty is none.
+  return load_document(read_yaml(path), {path.string(), "." / path.parent_path()}, settings);
 }
 
 Scenario parse_scenario(std::string_view text, const std::string& source, std::span<const Setting> settings) {
-  return load_document(parse_yaml(text, source), source, settings);
+  return load_document(parse_yaml(text, source), {source, {}}, settings);
 }
 
 }  // namespace scanbed::scenarios

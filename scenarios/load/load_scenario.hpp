@@ -12,7 +12,8 @@
 namespace scanbed::scenarios {
 
 /// Reads a scenario file. Lengths in metres, times in seconds, angles in degrees where the key ends in _deg
-/// or the value is a pose [x, y, degrees]; "$R" stands for the number `R` of `vars`.
+/// or the value is a pose [x, y, degrees]; "$R" stands for the number `R` of `vars`. Other files may be
+/// included (resolve_includes).
 ///
 /// @param settings  change values of the file before it is checked, in this order.
 /// @throws InputError "file:line:column: ..." for the first thing that does not fit: syntax, unknown or
@@ -20,7 +21,7 @@ namespace scanbed::scenarios {
 ///                    that cannot be.
 Scenario load_scenario(const std::filesystem::path& path, std::span<const Setting> settings = {});
 
-/// The same from text; `source` stands for the file's name in messages.
+/// The same from text; `source` stands for the file's name in messages. Includes from the library only.
 Scenario parse_scenario(std::string_view text, const std::string& source,
                         std::span<const Setting> settings = {});
 
