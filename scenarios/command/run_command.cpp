@@ -169,6 +169,9 @@ ExitCode execute(const RunCommand& command) {
     RunAndPictures run = run_one(command, scenario, detector);
     run.result.laser = command.laser.text;
     run.result.preset = command.detector.preset;
+    if (run.result.passed_unexpectedly()) {
+      log_warning(scenario.name + ": passed, although known to fail: " + *scenario.known_fail);
+    }
     if (prints_table) write_whole(std::nullopt, (results.empty() ? "" : "\n") + describe(run));
     results.push_back(std::move(run.result));
   }

@@ -88,6 +88,7 @@ Scenario load_tree(const Value& root) {
   if (const auto world = table.take("world")) load_solids(*world, scenario.world.solids);
   if (const auto actors = table.take("actors")) load_actors(*actors, scenario);
   if (const auto score = table.take("score")) load_score(*score, scenario);
+  if (const auto expect = table.take("expect")) load_expect(*expect, scenario);
   if (const auto outputs = table.take("outputs")) load_outputs(*outputs, scenario);
   table.finish();
   return scenario;

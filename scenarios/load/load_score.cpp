@@ -28,17 +28,26 @@ Allowed allowed_bound(const Metric& metric) {
 }
 
 // The metrics are a list of names rather than keys taken one by one: the bounds keep the file's order.
-void load_needs(const Value& value, FeatureKind kind, std::vector<Need>& needs) {
-  const Table checked_to_be_a_map(value);
+void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
+  Table table(value);
+  TimeWindow window;
+  if (const auto between = table.take("between")) window = load_window(*between, scenario.duration_s);
   for (const NodeEntry& entry : value.node().entries) {
+    if (entry.key == "between") continue;
     const std::optional<Metric> metric = find_metric(entry.key);
     if (!metric) {
       refuse(entry.place,
              fmt::format("unknown key {}{}", quote(entry.key), name_hint(entry.key, metric_names(), "keys")));
     }
     const Value bound(entry.value, entry.key, value.variables());
-    needs.push_back({kind, *metric, bound.number(allowed_bound(*metric))});
+    scenario.needs.push_back({kind, *metric, bound.number(allowed_bound(*metric)), window});
   }
+}
+
+// One map of bounds, or a list of them for several windows of time.
+void load_needs(const Value& value, FeatureKind kind, Scenario& scenario) {
+  if (value.node().kind != TreeNode::Kind::kList) return load_bounds(value, kind, scenario);
+  for (const Value& item : value.items()) load_bounds(item, kind, scenario);
 }
 
 void load_line_gate(Table& gate, MatchOptions& match) {
@@ -75,7 +84,7 @@ void load_score(const Value& value, Scenario& scenario) {
     if (!section) continue;
     Table table(*section);
     if (const auto gate = table.take("gate")) load_gate(*gate, kind, scenario.match);
-    if (const auto need = table.take("need")) load_needs(*need, kind, scenario.needs);
+    if (const auto need = table.take("need")) load_needs(*need, kind, scenario);
     table.finish();
   }
   score.finish();

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "scenarios/load/time_window.hpp"
+
 namespace scanbed::scenarios {
 
 enum class FeatureKind { kLine, kCircle, kLeg };
@@ -36,6 +38,7 @@ struct Need {
   FeatureKind kind = FeatureKind::kLine;
   Metric metric;
   double bound = 0.0;
+  TimeWindow window = {};  ///< scans that it is measured over
 };
 
 }  // namespace scanbed::scenarios

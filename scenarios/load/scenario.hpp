@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/score/scorer.hpp"
+#include "scenarios/load/expect.hpp"
 #include "scenarios/load/need.hpp"
 #include "sim/sensor/lms_options.hpp"
 #include "sim/world/world.hpp"
@@ -29,7 +30,8 @@ struct Scenario {
   sim::World world;
   sim::LmsOptions lms;
   MatchOptions match;
-  std::vector<Need> needs;  ///< in the order of the file
+  std::vector<Need> needs;                ///< in the order of the file
+  std::vector<Expectation> expectations;  ///< in the order of the file
   PictureTimes pictures;
   std::optional<std::string> known_fail;  ///< why its needs are not met yet; a miss is then reported only
 };

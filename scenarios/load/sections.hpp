@@ -27,4 +27,10 @@ sim::Material load_material(const Value& value);
 /// `score:`; sets when a detection counts as right, and the needs.
 void load_score(const Value& value, Scenario& scenario);
 
+/// `between:`, [from, to] within the run.
+TimeWindow load_window(const Value& value, double duration_s);
+
+/// `expect:`, a list of conditions over time; adds them. @pre  the world is loaded: they name its objects.
+void load_expect(const Value& value, Scenario& scenario);
+
 }  // namespace scanbed::scenarios

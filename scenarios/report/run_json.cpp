@@ -52,16 +52,39 @@ Json to_json(const Scores& scores) {
 }
 
 Json to_json(const GateResult& gate) {
-  return {{"kind", to_string(gate.need.kind)},
-          {"metric", gate.need.metric.name},
-          {gate.need.metric.at_most ? "at_most" : "at_least", rounded(gate.need.bound)},
-          {"value", gate.value ? rounded(*gate.value) : Json(nullptr)},
-          {"met", gate.met}};
+  const TimeWindow& window = gate.need.window;
+  Json json = {{"kind", to_string(gate.need.kind)},
+               {"metric", gate.need.metric.name},
+               {gate.need.metric.at_most ? "at_most" : "at_least", rounded(gate.need.bound)},
+               {"value", gate.value ? rounded(*gate.value) : Json(nullptr)},
+               {"met", gate.met}};
+  if (!window.is_whole()) json["between_s"] = {rounded(window.from_s), rounded(window.to_s)};
+  return json;
+}
+
+Json to_json(const ExpectResult& result) {
+  const TimeWindow& window = result.expectation.window;
+  return {
+      {"expected", result.expectation.text()},
+      {"kind", to_string(result.expectation.condition.kind)},
+      {"between_s", window.is_whole() ? Json(nullptr) : Json{rounded(window.from_s), rounded(window.to_s)}},
+      {"scans", result.num_scans},
+      {"held", result.num_held},
+      {"first_missed_s", result.first_missed_s ? Json(rounded(*result.first_missed_s)) : Json(nullptr)},
+      {"met", result.met}};
+}
+
+// Whether there was anything to hold the run against, and how that ended.
+Json verdict(const RunResult& result) {
+  const bool is_measured = result.scores || !result.expectations.empty();
+  return is_measured ? Json(result.met_its_gates()) : Json(nullptr);
 }
 
 Json to_json(const RunResult& result) {
   Json gates = Json::array();
   for (const GateResult& gate : result.gates) gates.push_back(to_json(gate));
+  Json expectations = Json::array();
+  for (const ExpectResult& expectation : result.expectations) expectations.push_back(to_json(expectation));
   return {
       {"scenario", result.scenario},
       {"seed", result.seed},
@@ -74,7 +97,9 @@ Json to_json(const RunResult& result) {
        {{"line", result.features.lines}, {"circle", result.features.circles}, {"leg", result.features.legs}}},
       {"scores", result.scores ? to_json(*result.scores) : Json(nullptr)},
       {"gates", gates},
-      {"gates_met", result.scores ? Json(result.met_its_gates()) : Json(nullptr)},
+      {"expectations", expectations},
+      {"gates_met", verdict(result)},
+      {"unexpected_pass", result.passed_unexpectedly()},
       {"known_fail", result.known_fail ? Json(*result.known_fail) : Json(nullptr)}};
 }
 

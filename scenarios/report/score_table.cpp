@@ -70,8 +70,19 @@ void append_gates(std::string& out, const std::vector<GateResult>& gates) {
     const Need& need = gate.need;
     const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
     const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
-    append(out, "  {:<8}{:<14}{:>12}{:>12}  {}\n", to_string(need.kind), need.metric.name, bar, value,
-           gate.met ? "pass" : "MISS");
+    append(out, "  {:<8}{:<14}{:>12}{:>12}  {}{}\n", to_string(need.kind), need.metric.name, bar, value,
+           gate.met ? "pass" : "MISS", need.window.is_whole() ? "" : "  " + to_string(need.window));
+  }
+}
+
+void append_expectations(std::string& out, const std::vector<ExpectResult>& expectations) {
+  if (expectations.empty()) return;
+  out += "\n  expected\n";
+  for (const ExpectResult& result : expectations) {
+    append(out, "  {}: held in {} of {}  {}", result.expectation.text(), result.num_held, result.num_scans,
+           result.met ? "pass" : "MISS");
+    if (!result.met && result.first_missed_s) append(out, "  first at {:g} s", *result.first_missed_s);
+    out += '\n';
   }
 }
 
@@ -81,11 +92,19 @@ void append_counts(std::string& out, const RunResult& result) {
   out += "  not scored: this laser brings no truth, so no gate was measured\n";
 }
 
+template <typename Results>
+std::string met_of(const Results& results, std::string_view what) {
+  const auto num_met =
+      std::count_if(results.begin(), results.end(), [](const auto& result) { return result.met; });
+  return fmt::format("{} of {} {}", num_met, results.size(), what);
+}
+
 void append_verdict(std::string& out, const RunResult& result) {
-  const auto num_met = std::count_if(result.gates.begin(), result.gates.end(),
-                                     [](const GateResult& gate) { return gate.met; });
-  if (result.gates.empty()) return;
-  append(out, "\n{}: {} of {} gates passed", result.scenario, num_met, result.gates.size());
+  if (result.gates.empty() && result.expectations.empty()) return;
+  append(out, "\n{}: ", result.scenario);
+  if (!result.gates.empty()) out += met_of(result.gates, "gates passed");
+  if (!result.gates.empty() && !result.expectations.empty()) out += ", ";
+  if (!result.expectations.empty()) out += met_of(result.expectations, "expectations held");
   if (result.known_fail) {
     out += result.met_its_gates() ? ", although it is a known failure: " : "; known failure: ";
     out += *result.known_fail;
@@ -100,11 +119,14 @@ std::string score_table(const RunResult& result) {
   append_head(out, result);
   if (!result.scores) {
     append_counts(out, result);
+    append_expectations(out, result.expectations);
+    append_verdict(out, result);
     return out;
   }
   append_tallies(out, *result.scores);
   append_bands(out, *result.scores);
   append_gates(out, result.gates);
+  append_expectations(out, result.expectations);
   append_verdict(out, result);
   return out;
 }

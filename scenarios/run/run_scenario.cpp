@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/score/scorer.hpp"
-
 namespace scanbed::scenarios {
 namespace {
 
@@ -21,7 +19,14 @@ void count(const Features& features, FeatureCounts& counts) {
 }  // namespace
 
 bool RunResult::met_its_gates() const {
-  return std::all_of(gates.begin(), gates.end(), [](const GateResult& gate) { return gate.met; });
+  return std::all_of(gates.begin(), gates.end(), [](const GateResult& gate) { return gate.met; }) &&
+         std::all_of(expectations.begin(), expectations.end(),
+                     [](const ExpectResult& expectation) { return expectation.met; });
+}
+
+bool RunResult::passed_unexpectedly() const {
+  const bool is_measured = !gates.empty() || !expectations.empty();
+  return known_fail.has_value() && is_measured && !interrupted && met_its_gates();
 }
 
 RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDetector& detector,
@@ -31,19 +36,18 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDet
   result.seed = scenario.seed;
   result.duration_s = scenario.duration_s;
   result.known_fail = scenario.known_fail;
-  Scorer scorer(scenario.match);
+  Judge judge(scenario);
   LaserScan scan;
   while (!result.interrupted && sensor.next(scan, kScanTimeout)) {
     ++result.num_scans;
     const Features& features = detector.detect(scan);
     count(features, result.features);
-    if (const Truth* truth = sensor.truth()) scorer.add(features, scan, *truth);
+    judge.add({scan, features, sensor.truth()});
     result.interrupted = !observer(scan, features);
   }
-  if (scorer.scores().num_scans > 0) {
-    result.scores = scorer.scores();
-    result.gates = evaluate(scenario.needs, scorer.scores());
-  }
+  result.scores = judge.scores();
+  result.gates = judge.gates();
+  result.expectations = judge.expectations();
   return result;
 }
 

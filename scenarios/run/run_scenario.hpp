@@ -12,6 +12,7 @@
 #include "core/score/tally.hpp"
 #include "scenarios/load/scenario.hpp"
 #include "scenarios/run/gates.hpp"
+#include "scenarios/run/judge.hpp"
 
 namespace scanbed::scenarios {
 
@@ -33,10 +34,13 @@ struct RunResult {
   FeatureCounts features;
   std::optional<Scores> scores;   ///< empty where the laser has no truth
   std::vector<GateResult> gates;  ///< empty where there are no scores, or no needs
+  std::vector<ExpectResult> expectations;
   std::optional<std::string> known_fail;
   bool interrupted = false;  ///< stopped before the end of the stream
 
-  bool met_its_gates() const;  ///< true where there are none
+  bool met_its_gates() const;  ///< and its expectations; true where there are none
+  /// A known failure that met all it was held to: its reason is out of date.
+  bool passed_unexpectedly() const;
 };
 
 /// Called with each scan and its features; returns false to stop after it.

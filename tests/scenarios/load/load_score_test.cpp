@@ -54,5 +54,16 @@ TEST(LoadScoreTest, RefusesBoundsThatNothingCanMeet) {
             "f:4:30: center: value 0 is out of range; allowed: (0, 10]");
 }
 
+TEST(LoadScoreTest, TakesNeedsOfSeveralWindows) {
+  const Scenario scenario = testing::parse(
+      "score: {circle: {need: [{recall: 0.9}, {between: [0.5, 1], recall: 0.5, truths: 3}]}}\n");
+  ASSERT_EQ(scenario.needs.size(), 3u);
+  EXPECT_TRUE(scenario.needs[0].window.is_whole());
+  EXPECT_EQ(scenario.needs[1].window, (TimeWindow{0.5, 1.0}));
+  EXPECT_EQ(scenario.needs[2].window, (TimeWindow{0.5, 1.0}));
+  EXPECT_EQ(testing::parse_error("score: {circle: {need: {between: [1, 0], recall: 1}}}\n"),
+            "f:4:38: between: the window ends before it begins");
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

@@ -72,5 +72,26 @@ TEST(RunJsonTest, WritesTheSameBytesForTheSameResults) {
   EXPECT_EQ(nlohmann::json::parse(run_json(results)).at("runs").size(), 2u);
 }
 
+TEST(RunJsonTest, TellsExpectationsWindowsAndUnexpectedPasses) {
+  RunResult result = testing::made_result();
+  result.known_fail = "too hard";
+  for (GateResult& gate : result.gates) gate.met = true;
+  result.gates[0].need.window = {5.0, 12.0};
+  result.expectations.push_back({.expectation = {.condition = {.at_least = 1}, .window = {1.0, 2.0}},
+                                 .num_scans = 6,
+                                 .num_held = 6,
+                                 .first_missed_s = std::nullopt,
+                                 .met = true});
+  const auto run = nlohmann::json::parse(run_json(std::vector{result}))["runs"][0];
+  EXPECT_EQ(run["gates"][0]["between_s"], nlohmann::json::parse("[5, 12]"));
+  EXPECT_FALSE(run["gates"][1].contains("between_s"));
+  EXPECT_EQ(run["expectations"][0]["held"], 6);
+  EXPECT_EQ(run["expectations"][0]["scans"], 6);
+  EXPECT_EQ(run["expectations"][0]["met"], true);
+  EXPECT_EQ(run["expectations"][0]["between_s"], nlohmann::json::parse("[1, 2]"));
+  EXPECT_EQ(run["unexpected_pass"], true);
+  EXPECT_EQ(run["gates_met"], true);
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

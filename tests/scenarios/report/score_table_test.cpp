@@ -71,5 +71,34 @@ TEST(ScoreTableTest, SaysThatNothingWasScoredWithoutTruth) {
   EXPECT_NE(table.find("not scored"), std::string::npos);
 }
 
+TEST(ScoreTableTest, ShowsExpectationsAndWindows) {
+  RunResult result = testing::made_result();
+  result.gates[0].need.window = {5.0, 12.0};
+  result.expectations.push_back({.expectation = {.condition = {.at_least = 1}, .window = {1.0, 2.0}},
+                                 .num_scans = 6,
+                                 .num_held = 5,
+                                 .first_missed_s = 1.4,
+                                 .met = false});
+  const std::string table = score_table(result);
+  EXPECT_NE(table.find("pass  5 to 12 s\n"), std::string::npos) << table;
+  EXPECT_NE(
+      table.find("  line, at least 1, in all scans of 1 to 2 s: held in 5 of 6  MISS  first at 1.4 s\n"),
+      std::string::npos)
+      << table;
+  EXPECT_NE(table.find("0 of 1 expectations held"), std::string::npos) << table;
+}
+
+TEST(ScoreTableTest, ShowsExpectationsWithoutTruthToo) {
+  RunResult result = testing::made_result();
+  result.scores.reset();
+  result.gates.clear();
+  result.expectations.push_back({.expectation = {.condition = {.at_most = 3}},
+                                 .num_scans = 10,
+                                 .num_held = 10,
+                                 .first_missed_s = std::nullopt,
+                                 .met = true});
+  EXPECT_NE(score_table(result).find("\nhall: 1 of 1 expectations held\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

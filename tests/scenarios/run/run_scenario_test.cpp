@@ -106,5 +106,26 @@ TEST(RunScenarioTest, MissesItsGatesWhereOneIsMissed) {
   EXPECT_FALSE(result.met_its_gates());
 }
 
+TEST(RunScenarioTest, MissesItsGatesWhereAnExpectationIsMissed) {
+  RunResult result;
+  result.expectations.push_back({.expectation = {}, .first_missed_s = std::nullopt, .met = true});
+  EXPECT_TRUE(result.met_its_gates());
+  result.expectations.push_back({.expectation = {}, .first_missed_s = 1.0, .met = false});
+  EXPECT_FALSE(result.met_its_gates());
+}
+
+TEST(RunScenarioTest, PassesUnexpectedlyOnlyWhereSomethingWasMeasured) {
+  RunResult result;
+  result.known_fail = "too hard";
+  EXPECT_FALSE(result.passed_unexpectedly());
+  result.gates = {{.need = {}, .value = 1.0, .met = true}};
+  EXPECT_TRUE(result.passed_unexpectedly());
+  result.interrupted = true;
+  EXPECT_FALSE(result.passed_unexpectedly());
+  result.interrupted = false;
+  result.gates[0].met = false;
+  EXPECT_FALSE(result.passed_unexpectedly());
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "scenarios/load/need.hpp"
+
+namespace scanbed::scenarios {
+
+/// Features near one true object, wherever it is in a scan, seen or not.
+struct NearObject {
+  std::string id;         ///< of an object, or of a thing of several: a walker's legs, a bench's feet
+  double within_m = 0.0;  ///< between the feature and the object: centres, or the nearest point of a line
+};
+
+/// What one scan must show. Conditions that are left out hold.
+struct ScanCondition {
+  FeatureKind kind = FeatureKind::kLine;
+  std::optional<NearObject> near;  ///< only features near it count
+  int at_least = 0;                ///< features
+  int at_most = std::numeric_limits<int>::max();
+  std::optional<double> recall;  ///< of this scan alone, at least; scans with nothing to find do not count
+  std::optional<double>
+      precision;  ///< of this scan alone, at least; scans with nothing detected do not count
+
+  /// Whether it can be told from features alone.
+  bool needs_truth() const { return near || recall || precision; }
+};
+
+/// A condition that must hold in the scans of a time window.
+struct Expectation {
+  ScanCondition condition;
+  TimeWindow window;
+  double share = 1.0;  ///< of the window's scans in which it must hold; 0: in one of them
+
+  /// "circle, at least 1 within 0.2 m of cyl, in all scans of 5 to 12 s".
+  std::string text() const;
+};
+
+}  // namespace scanbed::scenarios

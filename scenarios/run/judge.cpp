@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/run/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanbed::scenarios {
+namespace {
+
+bool is_met(const ExpectResult& result) {
+  if (result.num_scans == 0) return false;
+  const double share = result.expectation.share;
+  if (share == 0.0) return result.num_held > 0;
+  // Shares such as 0.9 have no exact binary form: 9 of 10 must do.
+  return result.num_held >= share * result.num_scans - 1e-9 * result.num_scans;
+}
+
+void count(const DetectedScan& detected, const MatchOptions& match, ExpectResult& result) {
+  const double time_s = detected.scan.time_s;
+  if (!result.expectation.window.contains(time_s)) return;
+  const std::optional<bool> held = holds(result.expectation.condition, detected, match);
+  if (!held) return;
+  ++result.num_scans;
+  result.num_held += *held ? 1 : 0;
+  if (!*held && !result.first_missed_s) result.first_missed_s = time_s;
+}
+
+}  // namespace
+
+Judge::Judge(const Scenario& scenario) : scenario_(&scenario), scorer_(scenario.match) {
+  for (const Need& need : scenario.needs) {
+    const auto is_same = [&](const auto& window) { return window.first == need.window; };
+    if (need.window.is_whole() || std::any_of(windows_.begin(), windows_.end(), is_same)) continue;
+    windows_.emplace_back(need.window, Scorer(scenario.match));
+  }
+  for (const Expectation& expectation : scenario.expectations) {
+    expectations_.push_back({.expectation = expectation, .first_missed_s = std::nullopt});
+  }
+}
+
+void Judge::add(const DetectedScan& detected) {
+  if (detected.truth != nullptr) {
+    scorer_.add(detected.features, detected.scan, *detected.truth);
+    for (auto& [window, scorer] : windows_) {
+      if (window.contains(detected.scan.time_s)) {
+        scorer.add(detected.features, detected.scan, *detected.truth);
+      }
+    }
+  }
+  for (ExpectResult& result : expectations_) count(detected, scenario_->match, result);
+}
+
+std::optional<Scores> Judge::scores() const {
+  return scorer_.scores().num_scans > 0 ? std::optional(scorer_.scores()) : std::nullopt;
+}
+
+std::vector<GateResult> Judge::gates() const {
+  std::vector<GateResult> gates;
+  if (!scores()) return gates;
+  for (const Need& need : scenario_->needs) {
+    const auto window = std::find_if(windows_.begin(), windows_.end(),
+                                     [&](const auto& candidate) { return candidate.first == need.window; });
+    const Scorer& scorer = window == windows_.end() ? scorer_ : window->second;
+    gates.push_back(evaluate(std::span(&need, 1), scorer.scores()).front());
+  }
+  return gates;
+}
+
+std::vector<ExpectResult> Judge::expectations() const {
+  std::vector<ExpectResult> results;
+  const bool has_truth = scores().has_value();
+  for (const ExpectResult& result : expectations_) {
+    if (!has_truth && result.expectation.condition.needs_truth()) continue;
+    results.push_back(result);
+    results.back().met = is_met(result);
+  }
+  return results;
+}
+
+}  // namespace scanbed::scenarios

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/run/scan_condition.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/score/scorer.hpp"
+#include "scenarios/run/gates.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+using Eigen::Vector2d;
+
+// A point is a segment of length 0.
+struct Segment {
+  Vector2d from_m;
+  Vector2d to_m;
+};
+
+double distance_m(const Vector2d& p, const Segment& segment) {
+  const Vector2d along = segment.to_m - segment.from_m;
+  const double length2_m2 = along.squaredNorm();
+  const double ratio = length2_m2 > 0.0 ? along.dot(p - segment.from_m) / length2_m2 : 0.0;
+  return (segment.from_m + std::clamp(ratio, 0.0, 1.0) * along - p).norm();
+}
+
+// Of a point to a segment; of two segments from the middle of the one to the other, since a wall's end that
+// touches another wall is not near it as a whole.
+double distance_m(const Segment& feature, const Segment& object) {
+  if (object.from_m == object.to_m) return distance_m(object.from_m, feature);
+  return distance_m(Vector2d(0.5 * (feature.from_m + feature.to_m)), object);
+}
+
+std::vector<Segment> places(const Features& features, FeatureKind kind) {
+  std::vector<Segment> places;
+  switch (kind) {
+    case FeatureKind::kLine:
+      for (const Line& line : features.lines) places.push_back({line.left_m, line.right_m});
+      break;
+    case FeatureKind::kCircle:
+      for (const Circle& circle : features.circles) places.push_back({circle.center_m, circle.center_m});
+      break;
+    case FeatureKind::kLeg:
+      for (const Leg& leg : features.legs) places.push_back({leg.middle_m, leg.middle_m});
+      break;
+  }
+  return places;
+}
+
+bool is_meant(const ObjectTruth& object, const std::string& id) {
+  if (!object.id.starts_with(id)) return false;
+  return object.id.size() == id.size() || object.id[id.size()] == '.';
+}
+
+// Truth puts what is not in the world at this moment into the sensor's own place, where nothing can be.
+bool is_present(const ObjectTruth& object) {
+  return object.primitive == Primitive::kLine ? object.from_m != object.to_m : !object.center_m.isZero(0.0);
+}
+
+int num_near(const std::vector<Segment>& features, const NearObject& near, const Truth& truth) {
+  std::vector<Segment> objects;
+  for (const ObjectTruth& object : truth.objects) {
+    if (!is_meant(object, near.id) || !is_present(object)) continue;
+    const bool is_line = object.primitive == Primitive::kLine;
+    objects.push_back(is_line ? Segment{object.from_m, object.to_m}
+                              : Segment{object.center_m, object.center_m});
+  }
+  const auto is_near = [&](const Segment& feature) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const Segment& object) { return distance_m(feature, object) <= near.within_m; });
+  };
+  return static_cast<int>(std::count_if(features.begin(), features.end(), is_near));
+}
+
+std::optional<bool> reaches(const ScanCondition& condition, const Tally& tally) {
+  if (condition.recall && tally.num_truths == 0) return std::nullopt;
+  if (condition.precision && tally.num_detections == 0) return std::nullopt;
+  return (!condition.recall || tally.recall() >= *condition.recall) &&
+         (!condition.precision || tally.precision() >= *condition.precision);
+}
+
+}  // namespace
+
+std::optional<bool> holds(const ScanCondition& condition, const DetectedScan& detected,
+                          const MatchOptions& match) {
+  if (condition.needs_truth() && detected.truth == nullptr) return std::nullopt;
+  const std::vector<Segment> found = places(detected.features, condition.kind);
+  const int count =
+      condition.near ? num_near(found, *condition.near, *detected.truth) : static_cast<int>(found.size());
+  const bool is_count_fine = count >= condition.at_least && count <= condition.at_most;
+  if (!condition.recall && !condition.precision) return is_count_fine;
+  Scorer scorer(match);
+  scorer.add(detected.features, detected.scan, *detected.truth);
+  const std::optional<bool> is_score_fine =
+      reaches(condition, score_of(scorer.scores(), condition.kind).tally);
+  return is_score_fine ? std::optional(*is_score_fine && is_count_fine) : std::nullopt;
+}
+
+}  // namespace scanbed::scenarios
