@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/track/leg_circle.hpp"
+
 namespace scanbed {
 namespace {
 
-constexpr double kMaxLegRadius_m = 0.12;
 constexpr double kMaxStep_s = 10.0;  // after a longer pause nothing is where it was
 
 const TrackOptions& validated(const TrackOptions& options) {
   options.validate();
   return options;
-}
-
-bool overlap(const BeamSpan& a, const BeamSpan& b) {
-  return a.first <= b.last && b.first <= a.last;
 }
 
 }  // namespace
@@ -55,16 +52,10 @@ double Tracker::step_s(double time_s) {
   return step_s;
 }
 
-// A leg near the sensor is a good circle too.
 void Tracker::mark_legs(const Features& features) {
   circle_is_leg_.clear();
-  for (const Circle& circle : features.circles) {
-    const bool is_leg = circle.radius_m <= kMaxLegRadius_m &&
-                        std::any_of(features.legs.begin(), features.legs.end(), [&](const Leg& leg) {
-                          return leg.score >= 0.5 && overlap(leg.beams, circle.beams);
-                        });
-    circle_is_leg_.push_back(is_leg ? 1 : 0);
-  }
+  for (const Circle& circle : features.circles)
+    circle_is_leg_.push_back(is_leg_too(circle, features.legs) ? 1 : 0);
 }
 
 void Tracker::report(std::vector<LiveTrack>& tracks) {

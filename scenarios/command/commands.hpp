@@ -50,6 +50,8 @@ struct DetectCommand {
   DetectorChoice detector;
   std::vector<Setting> settings;
   std::optional<std::int64_t> limit;  ///< scans
+  bool track = false;                 ///< follow people, legs and cylinders
+  bool interpret = false;             ///< say what the scene is
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> record;   ///< recording to write
   sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers

@@ -15,6 +15,7 @@
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/report/feature_line.hpp"
+#include "scenarios/run/analyst.hpp"
 #include "scenarios/run/live_sensor.hpp"
 
 namespace scanbed::scenarios {
@@ -29,28 +30,26 @@ struct Sinks {
   Recorder& recorder;
 };
 
-void print_features(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector,
-                    const Sinks& sinks) {
+void print_features(const DetectCommand& command, RangeSensor& sensor, Analyst& analyst, const Sinks& sinks) {
   Progress progress("detect");
   LaserScan scan;
   std::string line;
   for (std::int64_t num_scans = 0; !command.limit || num_scans < *command.limit; ++num_scans) {
     if (is_interrupted() || !sensor.next(scan, kScanTimeout)) return;
     line.clear();
-    const Features& features = detector.detect(scan);
-    sinks.recorder.see(scan, features, sensor);
-    append_feature_line(line, scan, features);
+    const Findings findings = analyst.analyse(scan);
+    sinks.recorder.see(scan, findings.features, sensor);
+    append_feature_line(line, findings);
     if (!sinks.output.write(line)) return;
     progress.show(num_scans + 1);
   }
 }
 
 // What was found before a source failed is written all the same.
-void print_all(const DetectCommand& command, RangeSensor& sensor, FeatureDetector& detector,
-               const Sinks& sinks) {
+void print_all(const DetectCommand& command, RangeSensor& sensor, Analyst& analyst, const Sinks& sinks) {
   std::exception_ptr fault;
   try {
-    print_features(command, sensor, detector, sinks);
+    print_features(command, sensor, analyst, sinks);
   } catch (const InputError&) {
     fault = std::current_exception();
   } catch (const SensorFault&) {
@@ -95,6 +94,8 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
 struct DetectTexts {
   std::string laser;
   std::string limit;
+  bool track = false;
+  bool interpret = false;
   std::string out;
   RecordFlag record;
   BackendFlag backend;
@@ -109,6 +110,8 @@ DetectCommand to_detect(const DetectTexts& texts) {
           .detector = texts.detector.value(),
           .settings = texts.settings.values(),
           .limit = limit,
+          .track = texts.track,
+          .interpret = texts.interpret,
           .out = to_path(texts.out),
           .record = to_path(texts.record.text),
           .backend = texts.backend.value()};
@@ -119,6 +122,7 @@ DetectCommand to_detect(const DetectTexts& texts) {
 ExitCode execute(const DetectCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
   FeatureDetector detector(detector_options(command.detector, settings.detector));
+  Analyst analyst(detector, {.track = command.track, .interpret = command.interpret});
   const OpenedLaser laser = open_laser(command, settings.scenario);
   Output output(command.out);
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
@@ -126,7 +130,7 @@ ExitCode execute(const DetectCommand& command) {
   Recorder recorder(command.record, metadata);
   std::exception_ptr fault;
   try {
-    print_all(command, *laser.sensor, detector, {output, recorder});
+    print_all(command, *laser.sensor, analyst, {output, recorder});
   } catch (const InputError&) {
     fault = std::current_exception();
   }
@@ -144,6 +148,9 @@ Usage detect_usage() {
        "sick:PORT[?baud=38400&fov_deg=180&resolution_deg=0.5&unit=mm], scip:PORT or cola:HOST",
        &texts->laser, true},
       {"--limit", "N", "Stop after N scans", &texts->limit},
+      {"--track", "", "Follow people, legs and cylinders: adds \"tracks\"", &texts->track},
+      {"--interpret", "", "Name walls, corners, columns, benches, doors and trash cans: adds \"scene\"",
+       &texts->interpret},
       {"--out", "FILE", "In place of standard output", &texts->out},
       texts->record.flag(),
       texts->backend.flag(),
@@ -156,6 +163,7 @@ Examples:
   scanbed detect --laser log:hall.log.gz --limit 10
   scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set circle_std_max=0.1
   scanbed detect --laser sim:static_hallway --out features.jsonl
+  scanbed detect --laser log:walk.bag --preset robust --track --interpret
   scanbed detect --laser 'log:walk.bag?speed=1&from=2&to=10' --record walk.mcap
 )" + table_two_text();
   usage.command = [texts] { return to_detect(*texts); };

@@ -58,17 +58,27 @@ class ObjectWriter {
 
 using AnyFeature = std::variant<const Line*, const Circle*, const Leg*>;
 
-int first_beam(const AnyFeature& feature) {
-  return std::visit([](const auto* f) { return f->beams.first; }, feature);
-}
+struct PlacedFeature {
+  AnyFeature feature;
+  FeatureRef ref;
 
-std::vector<AnyFeature> in_order(const Features& features) {
-  std::vector<AnyFeature> all;
-  for (const Line& line : features.lines) all.emplace_back(&line);
-  for (const Circle& circle : features.circles) all.emplace_back(&circle);
-  for (const Leg& leg : features.legs) all.emplace_back(&leg);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const AnyFeature& a, const AnyFeature& b) { return first_beam(a) < first_beam(b); });
+  int first_beam() const {
+    return std::visit([](const auto* f) { return f->beams.first; }, feature);
+  }
+};
+
+std::vector<PlacedFeature> in_order(const Features& features) {
+  std::vector<PlacedFeature> all;
+  const auto add = [&all](const auto& list, Primitive kind) {
+    for (const auto& feature : list)
+      all.push_back({&feature, {kind, static_cast<int>(&feature - list.data())}});
+  };
+  add(features.lines, Primitive::kLine);
+  add(features.circles, Primitive::kCircle);
+  add(features.legs, Primitive::kLeg);
+  std::stable_sort(all.begin(), all.end(), [](const PlacedFeature& a, const PlacedFeature& b) {
+    return a.first_beam() < b.first_beam();
+  });
   return all;
 }
 
@@ -102,20 +112,119 @@ void append(std::string& out, const Leg& leg) {
   begin_object(out, "leg", leg.beams).point("middle", leg.middle_m).number("score", leg.score);
 }
 
-}  // namespace
+std::string_view name_of(TrackKind kind) {
+  switch (kind) {
+    case TrackKind::kPerson:
+      return "person";
+    case TrackKind::kCylinder:
+      return "cylinder";
+    case TrackKind::kLeg:
+      break;
+  }
+  return "leg";
+}
 
-void append_feature_line(std::string& out, const LaserScan& scan, const Features& features) {
-  fmt::format_to(std::back_inserter(out), R"({{"scan":{})", scan.index);
-  ObjectWriter(out).number("t_s", scan.time_s);
-  out += ",\"features\":[";
+std::string_view name_of(SceneKind kind) {
+  switch (kind) {
+    case SceneKind::kWall:
+      return "wall";
+    case SceneKind::kCorner:
+      return "corner";
+    case SceneKind::kColumn:
+      return "column";
+    case SceneKind::kBench:
+      return "bench";
+    case SceneKind::kDoor:
+      return "door";
+    case SceneKind::kTrashCan:
+      break;
+  }
+  return "trash_can";
+}
+
+void append(std::string& out, const Track& track) {
+  fmt::format_to(std::back_inserter(out), R"({{"id":{},"kind":"{}")", track.id, name_of(track.kind));
+  ObjectWriter writer(out);
+  writer.point("position", track.position_m).point("velocity", track.velocity_m_per_s);
+  if (track.kind == TrackKind::kCylinder) writer.number("radius", track.radius_m);
+  writer.number("score", track.score);
+}
+
+// What only some kinds have.
+void append_details(std::string& out, const SceneObject& object) {
+  ObjectWriter writer(out);
+  switch (object.kind) {
+    case SceneKind::kDoor:
+      out += object.is_open ? ",\"open\":true" : ",\"open\":false";
+      [[fallthrough]];
+    case SceneKind::kWall:
+      writer.point("left", object.left_m).point("right", object.right_m);
+      break;
+    case SceneKind::kCorner:
+      out += object.is_outer ? ",\"corner\":\"outer\"" : ",\"corner\":\"inner\"";
+      break;
+    case SceneKind::kBench:
+      writer.point("left", object.left_m).point("right", object.right_m);
+      [[fallthrough]];
+    case SceneKind::kColumn:
+    case SceneKind::kTrashCan:
+      writer.number("radius", object.radius_m);
+      break;
+  }
+}
+
+void append_scene(std::string& out, const Scene& scene, const std::vector<PlacedFeature>& features) {
+  const auto place_of = [&features](const FeatureRef& ref) {
+    const auto it =
+        std::find_if(features.begin(), features.end(), [&](const auto& f) { return f.ref == ref; });
+    return it - features.begin();
+  };
   bool is_first = true;
-  for (const AnyFeature& feature : in_order(features)) {
+  for (const SceneObject& object : scene.objects) {
     if (!is_first) out += ',';
     is_first = false;
-    std::visit([&out](const auto* f) { append(out, *f); }, feature);
+    fmt::format_to(std::back_inserter(out), R"({{"kind":"{}")", name_of(object.kind));
+    ObjectWriter(out).point("center", object.center_m);
+    append_details(out, object);
+    out += ",\"from\":[";
+    for (const FeatureRef& ref : scene.from_of(object)) {
+      if (out.back() != '[') out += ',';
+      fmt::format_to(std::back_inserter(out), "{}", place_of(ref));
+    }
+    out += ']';
+    ObjectWriter(out).number("score", object.score);
     out += '}';
   }
-  out += "]}\n";
+}
+
+}  // namespace
+
+void append_feature_line(std::string& out, const Findings& findings) {
+  fmt::format_to(std::back_inserter(out), R"({{"scan":{})", findings.scan.index);
+  ObjectWriter(out).number("t_s", findings.scan.time_s);
+  const std::vector<PlacedFeature> features = in_order(findings.features);
+  out += ",\"features\":[";
+  for (const PlacedFeature& placed : features) {
+    if (out.back() != '[') out += ',';
+    std::visit([&out](const auto* f) { append(out, *f); }, placed.feature);
+    out += '}';
+  }
+  out += ']';
+  if (findings.tracks != nullptr) {
+    out += ",\"tracks\":[";
+    for (const Track& track : *findings.tracks) {
+      if (out.back() != '[') out += ',';
+      append(out, track);
+      out += '}';
+    }
+    out += ']';
+  }
+  if (findings.scene != nullptr) {
+    out += ",\"scene\":[";
+    append_scene(out, *findings.scene, features);
+    out += ']';
+  }
+  out += "}\n";
 }
 
 }  // namespace scanbed::scenarios

@@ -44,6 +44,35 @@ TEST_F(DetectTest, PrintsOneObjectAScanAndCountsAtTheEnd) {
   EXPECT_EQ(outcome.err, "scanbed: 2 scans, 0 damaged lines, 1 other line\n");
 }
 
+TEST_F(DetectTest, SaysWhatWasFollowedAndWhatTheSceneIsWhereAsked) {
+  const std::vector<std::string> plain = {"detect",  "--laser", "sim:static_hallway", "--preset", "robust",
+                                          "--limit", "15"};
+  std::vector<std::string> both = plain;
+  both.insert(both.end(), {"--track", "--interpret"});
+  const std::vector<nlohmann::json> without = objects(run_program(plain));
+  const std::vector<nlohmann::json> with = objects(run_program(both));
+  ASSERT_EQ(without.size(), 15u);
+  ASSERT_EQ(with.size(), 15u);
+  EXPECT_FALSE(without[14].contains("tracks") || without[14].contains("scene"));
+  EXPECT_EQ(with[0]["tracks"].size(), 0u);  // one hit confirms nothing
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    EXPECT_EQ(with[i]["features"], without[i]["features"]);
+    for (const nlohmann::json& object : with[i]["scene"]) {
+      for (const int from : object["from"]) {
+        ASSERT_LT(from, static_cast<int>(with[i]["features"].size()));
+        const bool is_round = with[i]["features"][from]["type"] == "circle";
+        const bool wants_round =
+            object["kind"] == "bench" || object["kind"] == "column" || object["kind"] == "trash_can";
+        EXPECT_EQ(is_round, wants_round) << object;
+      }
+    }
+  }
+  const auto is_column = [](const nlohmann::json& track) { return track["kind"] == "cylinder"; };
+  EXPECT_GE(std::count_if(with[14]["tracks"].begin(), with[14]["tracks"].end(), is_column), 2);
+  const auto is_bench = [](const nlohmann::json& object) { return object["kind"] == "bench"; };
+  EXPECT_EQ(std::count_if(with[14]["scene"].begin(), with[14]["scene"].end(), is_bench), 2);
+}
+
 TEST_F(DetectTest, ReadsTheRecordedHall) {
   const std::string path = SCANBED_SOURCE_DIR "/../shared/data/columns_hall.log";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";

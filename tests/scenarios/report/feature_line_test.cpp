@@ -11,7 +11,7 @@ namespace {
 
 std::string line_of(const LaserScan& scan, const Features& features) {
   std::string out;
-  append_feature_line(out, scan, features);
+  append_feature_line(out, {scan, features});
   return out;
 }
 
@@ -44,6 +44,54 @@ TEST(FeatureLineTest, HasThePublicKeys) {
             R"("std":0.03,"score":0.97},)"
             R"({"type":"leg","first":200,"last":206,"middle":[2.1,0.4],"score":0.8}]})"
             "\n");
+}
+
+TEST(FeatureLineTest, PrintsTracksWhereThereAre) {
+  const std::vector<Track> tracks = {{.id = 7,
+                                      .kind = TrackKind::kPerson,
+                                      .position_m = {2.0, 0.3},
+                                      .velocity_m_per_s = {0.9, 0.1},
+                                      .score = 0.9},
+                                     {.id = 9, .kind = TrackKind::kCylinder, .radius_m = 0.25, .score = 1.0},
+                                     {.id = 11, .kind = TrackKind::kLeg, .score = 0.5}};
+  std::string out;
+  append_feature_line(out, {LaserScan{}, {}, &tracks});
+  EXPECT_EQ(out, R"({"scan":0,"t_s":0,"features":[],"tracks":[)"
+                 R"({"id":7,"kind":"person","position":[2,0.3],"velocity":[0.9,0.1],"score":0.9},)"
+                 R"({"id":9,"kind":"cylinder","position":[0,0],"velocity":[0,0],"radius":0.25,"score":1},)"
+                 R"({"id":11,"kind":"leg","position":[0,0],"velocity":[0,0],"score":0.5}]})"
+                 "\n");
+}
+
+TEST(FeatureLineTest, CountsASceneFromFeaturesAsTheyArePrinted) {
+  Features features = one_of_each();
+  features.circles.push_back({.beams = {60, 70}});  // printed before the first circle
+  Scene scene;
+  scene.from = {{Primitive::kCircle, 0}, {Primitive::kCircle, 1}, {Primitive::kLine, 0}};
+  scene.objects = {{.kind = SceneKind::kBench,
+                    .center_m = {5.2, -3.4},
+                    .radius_m = 0.2,
+                    .score = 0.9,
+                    .first_from = 0,
+                    .num_from = 2},
+                   {.kind = SceneKind::kDoor, .is_open = true, .first_from = 2, .num_from = 1},
+                   {.kind = SceneKind::kCorner, .is_outer = true},
+                   {.kind = SceneKind::kWall},
+                   {.kind = SceneKind::kColumn},
+                   {.kind = SceneKind::kTrashCan}};
+  std::string out;
+  append_feature_line(out, {LaserScan{}, features, nullptr, &scene});
+  const std::string ends = R"("left":[0,0],"right":[0,0],)";
+  EXPECT_EQ(
+      out.substr(out.find(",\"scene\"")),
+      R"(,"scene":[{"kind":"bench","center":[5.2,-3.4],)" + ends +
+          R"("radius":0.2,"from":[2,1],"score":0.9},{"kind":"door","center":[0,0],"open":true,)" + ends +
+          R"("from":[0],"score":0},{"kind":"corner","center":[0,0],"corner":"outer","from":[],"score":0},)"
+          R"({"kind":"wall","center":[0,0],)" +
+          ends +
+          R"("from":[],"score":0},{"kind":"column","center":[0,0],"radius":0,"from":[],"score":0},)"
+          R"({"kind":"trash_can","center":[0,0],"radius":0,"from":[],"score":0}]})"
+          "\n");
 }
 
 TEST(FeatureLineTest, IsAnObjectWithoutFeaturesToo) {

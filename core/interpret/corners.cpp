@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "core/interpret/corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace scanbed {
+namespace {
+
+constexpr int kMaxBeamsBetween = 4;  // echoes at a corner that neither piece took
+constexpr double kMinPiece_m = 0.10;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Where both lines meet, if that is near the end of a and the beginning of b.
+std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const InterpretOptions& options) {
+  const Eigen::Vector2d along_a_m = a.right_m - a.left_m;
+  const Eigen::Vector2d along_b_m = b.right_m - b.left_m;
+  if (std::min(along_a_m.norm(), along_b_m.norm()) < kMinPiece_m) return std::nullopt;
+  const double sine = cross(along_a_m, along_b_m) / (along_a_m.norm() * along_b_m.norm());
+  if (std::abs(sine) < std::sin(options.min_corner_rad)) return std::nullopt;
+  const double share = cross(b.left_m - a.left_m, along_b_m) / cross(along_a_m, along_b_m);
+  const Eigen::Vector2d corner_m = a.left_m + share * along_a_m;
+  if ((corner_m - a.right_m).norm() > options.corner_reach_m) return std::nullopt;
+  if ((corner_m - b.left_m).norm() > options.corner_reach_m) return std::nullopt;
+  return corner_m;
+}
+
+}  // namespace
+
+void find_corners(const std::vector<Line>& lines, const ScanGeometry& geometry,
+                  const InterpretOptions& options, Scene& scene) {
+  const int num_lines = static_cast<int>(lines.size());
+  const bool full_turn = std::abs(geometry.step_rad) * geometry.num_beams >= 2.0 * kPi - 1e-6;
+  for (int i = 0; i < num_lines; ++i) {
+    const bool is_last = i + 1 == num_lines;
+    if (is_last && (!full_turn || num_lines < 3)) break;
+    const int k = is_last ? 0 : i + 1;
+    const int wrapped = is_last ? geometry.num_beams : 0;
+    if (lines[k].beams.first + wrapped - lines[i].beams.last > kMaxBeamsBetween + 1) continue;
+    const auto corner_m = meeting_point(lines[i], lines[k], options);
+    if (!corner_m) continue;
+    const Eigen::Vector2d into_walls =
+        (lines[i].left_m - *corner_m).normalized() + (lines[k].right_m - *corner_m).normalized();
+    scene.objects.push_back({.kind = SceneKind::kCorner,
+                             .center_m = *corner_m,
+                             .is_outer = into_walls.dot(*corner_m) > 0.0,
+                             .score = std::min(lines[i].score, lines[k].score),
+                             .first_from = static_cast<int>(scene.from.size()),
+                             .num_from = 2});
+    scene.from.push_back({Primitive::kLine, i});
+    scene.from.push_back({Primitive::kLine, k});
+  }
+}
+
+}  // namespace scanbed
