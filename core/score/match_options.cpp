@@ -16,6 +16,8 @@ void MatchOptions::validate() const {
   require(circle_radius_m > 0.0 && circle_radius_m <= 10.0, "match.circle_radius_m", circle_radius_m,
           "(0, 10]");
   require(leg_center_m > 0.0 && leg_center_m <= 10.0, "match.leg_center_m", leg_center_m, "(0, 10]");
+  require(person_m > 0.0 && person_m <= 10.0, "match.person_m", person_m, "(0, 10]");
+  require(cylinder_m > 0.0 && cylinder_m <= 10.0, "match.cylinder_m", cylinder_m, "(0, 10]");
   require(narrow_cylinder_m >= 0.0 && narrow_cylinder_m <= 10.0, "match.narrow_cylinder_m", narrow_cylinder_m,
           "[0, 10]");
 }

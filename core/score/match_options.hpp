@@ -15,8 +15,10 @@ struct MatchOptions {
   double circle_radius_m = 0.05;
   double leg_center_m = 0.15;
   double narrow_cylinder_m =
-      0.125;              ///< a leg on a true cylinder of smaller radius is neither right nor wrong
-  void validate() const;  ///< @throws InputError naming the first field out of range
+      0.125;                ///< a leg on a true cylinder of smaller radius is neither right nor wrong
+  double person_m = 0.5;    ///< between a track and the middle of a person
+  double cylinder_m = 0.5;  ///< between a track and a cylinder
+  void validate() const;    ///< @throws InputError naming the first field out of range
 };
 
 }  // namespace scanbed

@@ -6,6 +6,7 @@
 #include "core/scan/truth.hpp"
 #include "core/score/match_options.hpp"
 #include "core/score/tally.hpp"
+#include "core/score/track_scorer.hpp"
 
 namespace scanbed {
 
@@ -21,11 +22,17 @@ class Scorer {
   /// @pre truth belongs to `scan` and features were detected in it.
   void add(const Features& features, const LaserScan& scan, const Truth& truth);
 
-  const Scores& scores() const { return scores_; }
+  /// Adds what was followed, scan after scan of one run.
+  void add_tracks(const std::vector<Track>& tracks, const LaserScan& scan, const Truth& truth);
+
+  Scores scores() const;
 
  private:
   MatchOptions options_;
   Scores scores_;
+  TrackScorer people_;
+  TrackScorer cylinders_;
+  std::optional<double> last_time_s_;  ///< of the tracks added last
 };
 
 }  // namespace scanbed

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
+
+#include "core/score/track_tally.hpp"
 
 namespace scanbed {
 
@@ -51,6 +54,8 @@ struct Scores {
   KindScore line;
   KindScore circle;
   KindScore leg;
+  std::optional<TrackTally> person;    ///< where tracks were scored
+  std::optional<TrackTally> cylinder;  ///< likewise
 
   /// Wrong detections of a kind per scan; 0 where there was no scan.
   double false_per_scan(const KindScore& kind) const;

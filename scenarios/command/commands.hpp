@@ -41,6 +41,7 @@ struct RunCommand {
   std::optional<std::filesystem::path> record;  ///< recording to write
   std::optional<std::filesystem::path> truth;   ///< of scans that come from a device
   bool quiet = false;
+  bool track = false;                            ///< score what was followed, too
   sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers
 };
 

@@ -41,13 +41,13 @@ RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result =
-      run_scenario(scenario, *sensor, detector, [&](const LaserScan& scan, const Features& features) {
-        if (pictures) pictures->see(scan, features);
-        recorder.see(scan, features, *sensor);
-        progress.show(scan.index + 1);
-        return !is_interrupted();
-      });
+  run.result = run_scenario(scenario, *sensor, {detector, command.track},
+                            [&](const LaserScan& scan, const Features& features) {
+                              if (pictures) pictures->see(scan, features);
+                              recorder.see(scan, features, *sensor);
+                              progress.show(scan.index + 1);
+                              return !is_interrupted();
+                            });
   recorder.finish();
   if (pictures) run.pictures = pictures->files();
   return run;
@@ -58,11 +58,12 @@ RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, F
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, *log, detector, [&](const LaserScan& scan, const Features& features) {
-    recorder.see(scan, features, *log);
-    progress.show(scan.index + 1);
-    return !is_interrupted();
-  });
+  run.result = run_scenario(scenario, *log, {detector, command.track},
+                            [&](const LaserScan& scan, const Features& features) {
+                              recorder.see(scan, features, *log);
+                              progress.show(scan.index + 1);
+                              return !is_interrupted();
+                            });
   recorder.finish();
   log_note(to_text(log->counts()));
   return run;
@@ -77,11 +78,12 @@ RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, sensor, detector, [&](const LaserScan& scan, const Features& features) {
-    recorder.see(scan, features, sensor);
-    progress.show(scan.index + 1);
-    return !is_interrupted();
-  });
+  run.result = run_scenario(scenario, sensor, {detector, command.track},
+                            [&](const LaserScan& scan, const Features& features) {
+                              recorder.see(scan, features, sensor);
+                              progress.show(scan.index + 1);
+                              return !is_interrupted();
+                            });
   recorder.finish();
   return run;
 }
@@ -131,6 +133,7 @@ struct RunTexts {
   std::string json;
   std::string out;
   bool is_quiet = false;
+  bool track = false;
   RecordFlag record;
   BackendFlag backend;
   DetectorFlags detector;
@@ -148,6 +151,7 @@ RunCommand to_run(const RunTexts& texts) {
           .record = to_path(texts.record.text),
           .truth = to_path(texts.truth),
           .quiet = texts.is_quiet,
+          .track = texts.track,
           .backend = texts.backend.value()};
 }
 
@@ -189,6 +193,7 @@ Usage run_usage() {
       texts->seed.flag(),
       {"--json", "FILE", "Write results as JSON; - is standard output", &texts->json},
       {"--out", "DIR", "Write the scenario's pictures here", &texts->out},
+      {"--track", "", "Follow people and cylinders, and score that too", &texts->track},
       {"--quiet", "", "No table", &texts->is_quiet},
       texts->record.flag(),
       texts->backend.flag(),

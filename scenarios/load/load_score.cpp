@@ -18,10 +18,15 @@ Allowed allowed_bound(const Metric& metric) {
     case Measure::kPrecision:
     case Measure::kRecall:
     case Measure::kRecallInBand:
+    case Measure::kIdf1:
       return kShare;
+    case Measure::kMota:
+      return {.greatest = 1.0};
     case Measure::kFalsePerScan:
     case Measure::kRmsError:
     case Measure::kNumTruths:
+    case Measure::kMotp:
+    case Measure::kSwitchesPerMinute:
       break;
   }
   return {.least = 0.0};
@@ -34,10 +39,10 @@ void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
   if (const auto between = table.take("between")) window = load_window(*between, scenario.duration_s);
   for (const NodeEntry& entry : value.node().entries) {
     if (entry.key == "between") continue;
-    const std::optional<Metric> metric = find_metric(entry.key);
+    const std::optional<Metric> metric = find_metric(entry.key, kind);
     if (!metric) {
-      refuse(entry.place,
-             fmt::format("unknown key {}{}", quote(entry.key), name_hint(entry.key, metric_names(), "keys")));
+      refuse(entry.place, fmt::format("unknown key {}{}", quote(entry.key),
+                                      name_hint(entry.key, metric_names(kind), "keys")));
     }
     const Value bound(entry.value, entry.key, value.variables());
     scenario.needs.push_back({kind, *metric, bound.number(allowed_bound(*metric)), window});
@@ -71,6 +76,12 @@ void load_gate(const Value& value, FeatureKind kind, MatchOptions& match) {
     case FeatureKind::kLeg:
       match.leg_center_m = gate.number("center", match.leg_center_m, kGate);
       break;
+    case FeatureKind::kPerson:
+      match.person_m = gate.number("center", match.person_m, kGate);
+      break;
+    case FeatureKind::kCylinder:
+      match.cylinder_m = gate.number("center", match.cylinder_m, kGate);
+      break;
   }
   gate.finish();
 }
@@ -79,7 +90,8 @@ void load_gate(const Value& value, FeatureKind kind, MatchOptions& match) {
 
 void load_score(const Value& value, Scenario& scenario) {
   Table score(value);
-  for (const FeatureKind kind : {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg}) {
+  for (const FeatureKind kind : {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg,
+                                 FeatureKind::kPerson, FeatureKind::kCylinder}) {
     const std::optional<Value> section = score.take(to_string(kind));
     if (!section) continue;
     Table table(*section);

@@ -24,12 +24,32 @@ std::vector<Metric> make_metrics() {
                          .to_m = kEdges_m[j] * 1.0});
     }
   }
+  const auto add_of_tracks = [&](const char* name, Measure measure, bool at_most) {
+    metrics.push_back({.name = name, .measure = measure, .of_tracks = true, .at_most = at_most});
+  };
+  add_of_tracks("mota", Measure::kMota, false);
+  add_of_tracks("motp", Measure::kMotp, true);
+  add_of_tracks("id_switches_per_minute", Measure::kSwitchesPerMinute, true);
+  add_of_tracks("idf1", Measure::kIdf1, false);
   return metrics;
 }
 
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> metrics = make_metrics();
   return metrics;
+}
+
+bool has(FeatureKind kind, const Metric& metric) {
+  return metric.of_tracks == is_followed(kind) || metric.measure == Measure::kNumTruths;
+}
+
+std::vector<std::string> make_names_of_kind(bool followed) {
+  std::vector<std::string> names;
+  const FeatureKind kind = followed ? FeatureKind::kPerson : FeatureKind::kLine;
+  for (const Metric& metric : all_metrics()) {
+    if (has(kind, metric)) names.push_back(metric.name);
+  }
+  return names;
 }
 
 std::vector<std::string> make_names() {
@@ -40,6 +60,10 @@ std::vector<std::string> make_names() {
 
 }  // namespace
 
+bool is_followed(FeatureKind kind) {
+  return kind == FeatureKind::kPerson || kind == FeatureKind::kCylinder;
+}
+
 std::string_view to_string(FeatureKind kind) {
   switch (kind) {
     case FeatureKind::kLine:
@@ -48,6 +72,10 @@ std::string_view to_string(FeatureKind kind) {
       return "circle";
     case FeatureKind::kLeg:
       return "leg";
+    case FeatureKind::kPerson:
+      return "person";
+    case FeatureKind::kCylinder:
+      return "cylinder";
   }
   return "";
 }
@@ -55,6 +83,18 @@ std::string_view to_string(FeatureKind kind) {
 std::span<const std::string> metric_names() {
   static const std::vector<std::string> names = make_names();
   return names;
+}
+
+std::span<const std::string> metric_names(FeatureKind kind) {
+  static const std::vector<std::string> of_features = make_names_of_kind(false);
+  static const std::vector<std::string> of_tracks = make_names_of_kind(true);
+  return is_followed(kind) ? of_tracks : of_features;
+}
+
+std::optional<Metric> find_metric(std::string_view name, FeatureKind kind) {
+  std::optional<Metric> metric = find_metric(name);
+  if (metric && !has(kind, *metric)) metric.reset();
+  return metric;
 }
 
 std::optional<Metric> find_metric(std::string_view name) {

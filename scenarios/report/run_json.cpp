@@ -45,8 +45,23 @@ Json to_json(const KindScore& score, const Scores& scores) {
           {"bands", bands}};
 }
 
+Json to_json(const std::optional<TrackTally>& tally) {
+  if (!tally) return nullptr;
+  return {{"truths", tally->num_truths},
+          {"found", tally->num_matches},
+          {"false", tally->num_false},
+          {"neither", tally->num_neither},
+          {"id_switches", tally->num_switches},
+          {"id_switches_per_minute", rounded(tally->switches_per_minute())},
+          {"mota", rounded(tally->mota())},
+          {"motp_m", tally->num_matches == 0 ? Json(nullptr) : rounded(tally->motp_m())},
+          {"idf1", rounded(tally->idf1())}};
+}
+
 Json to_json(const Scores& scores) {
-  return {{"line", to_json(scores.line, scores)},
+  return {{"person", to_json(scores.person)},
+          {"cylinder", to_json(scores.cylinder)},
+          {"line", to_json(scores.line, scores)},
           {"circle", to_json(scores.circle, scores)},
           {"leg", to_json(scores.leg, scores)}};
 }

@@ -63,14 +63,28 @@ void append_bands(std::string& out, const Scores& scores) {
   }
 }
 
+void append_tracks(std::string& out, const Scores& scores) {
+  if (!scores.person && !scores.cylinder) return;
+  append(out, "\n  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14}{:>8}{:>8}{:>12}\n", "followed", "truths", "found",
+         "false", "switches", "switches/min", "MOTA", "IDF1", "mean error");
+  for (const FeatureKind kind : {FeatureKind::kPerson, FeatureKind::kCylinder}) {
+    const std::optional<TrackTally>& tally = tracks_of(scores, kind);
+    if (!tally || (tally->num_truths == 0 && tally->num_false == 0)) continue;
+    append(out, "  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14.2f}{:>8.3f}{:>8.3f}{:>12}\n", to_string(kind),
+           tally->num_truths, tally->num_matches, tally->num_false, tally->num_switches,
+           tally->switches_per_minute(), tally->mota(), tally->idf1(),
+           fmt::format("{:.1f} mm", 1000.0 * tally->motp_m()));
+  }
+}
+
 void append_gates(std::string& out, const std::vector<GateResult>& gates) {
   if (gates.empty()) return;
-  append(out, "\n  {:<8}{:<14}{:>12}{:>12}\n", "gate", "", "bar", "measured");
+  append(out, "\n  {:<10}{:<24}{:>12}{:>12}\n", "gate", "", "bar", "measured");
   for (const GateResult& gate : gates) {
     const Need& need = gate.need;
     const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
     const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
-    append(out, "  {:<8}{:<14}{:>12}{:>12}  {}{}\n", to_string(need.kind), need.metric.name, bar, value,
+    append(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}\n", to_string(need.kind), need.metric.name, bar, value,
            gate.met ? "pass" : "MISS", need.window.is_whole() ? "" : "  " + to_string(need.window));
   }
 }
@@ -125,6 +139,7 @@ std::string score_table(const RunResult& result) {
   }
   append_tallies(out, *result.scores);
   append_bands(out, *result.scores);
+  append_tracks(out, *result.scores);
   append_gates(out, result.gates);
   append_expectations(out, result.expectations);
   append_verdict(out, result);

@@ -16,6 +16,22 @@ std::optional<double> recall_in_band(const KindScore& score, const Metric& metri
   return static_cast<double>(num_found) / num_truths;
 }
 
+std::optional<double> measure_tracks(const std::optional<TrackTally>& tally, const Metric& metric) {
+  if (!tally || tally->num_truths == 0) return std::nullopt;
+  switch (metric.measure) {
+    case Measure::kMota:
+      return tally->mota();
+    case Measure::kMotp:
+      return tally->num_matches == 0 ? std::nullopt : std::optional(tally->motp_m());
+    case Measure::kSwitchesPerMinute:
+      return tally->switches_per_minute();
+    case Measure::kIdf1:
+      return tally->idf1();
+    default:
+      return tally->num_truths;
+  }
+}
+
 }  // namespace
 
 const KindScore& score_of(const Scores& scores, FeatureKind kind) {
@@ -25,12 +41,19 @@ const KindScore& score_of(const Scores& scores, FeatureKind kind) {
     case FeatureKind::kCircle:
       return scores.circle;
     case FeatureKind::kLeg:
+    case FeatureKind::kPerson:
+    case FeatureKind::kCylinder:
       break;
   }
   return scores.leg;
 }
 
+const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kind) {
+  return kind == FeatureKind::kPerson ? scores.person : scores.cylinder;
+}
+
 std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric) {
+  if (is_followed(kind)) return measure_tracks(tracks_of(scores, kind), metric);
   const KindScore& score = score_of(scores, kind);
   const Tally& tally = score.tally;
   switch (metric.measure) {
@@ -46,6 +69,11 @@ std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metr
       return tally.num_right == 0 ? std::nullopt : std::optional(tally.rms_error_m());
     case Measure::kNumTruths:
       return tally.num_truths;
+    case Measure::kMota:
+    case Measure::kMotp:
+    case Measure::kSwitchesPerMinute:
+    case Measure::kIdf1:
+      break;
   }
   return std::nullopt;
 }

@@ -17,7 +17,11 @@ struct GateResult {
   bool met = false;             ///< false also where there was nothing: a bar that nobody jumps is not passed
 };
 
+/// Of a kind that is found in single scans.
 const KindScore& score_of(const Scores& scores, FeatureKind kind);
+
+/// Of a kind that is followed; empty where nothing was.
+const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kind);
 
 /// The metric's value; empty where it is a share or an error of nothing.
 std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric);

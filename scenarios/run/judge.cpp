@@ -25,6 +25,11 @@ void count(const DetectedScan& detected, const MatchOptions& match, ExpectResult
   if (!*held && !result.first_missed_s) result.first_missed_s = time_s;
 }
 
+void score(const DetectedScan& detected, Scorer& scorer) {
+  scorer.add(detected.features, detected.scan, *detected.truth);
+  if (detected.tracks != nullptr) scorer.add_tracks(*detected.tracks, detected.scan, *detected.truth);
+}
+
 }  // namespace
 
 Judge::Judge(const Scenario& scenario) : scenario_(&scenario), scorer_(scenario.match) {
@@ -40,18 +45,18 @@ Judge::Judge(const Scenario& scenario) : scenario_(&scenario), scorer_(scenario.
 
 void Judge::add(const DetectedScan& detected) {
   if (detected.truth != nullptr) {
-    scorer_.add(detected.features, detected.scan, *detected.truth);
+    score(detected, scorer_);
     for (auto& [window, scorer] : windows_) {
-      if (window.contains(detected.scan.time_s)) {
-        scorer.add(detected.features, detected.scan, *detected.truth);
-      }
+      if (window.contains(detected.scan.time_s)) score(detected, scorer);
     }
   }
   for (ExpectResult& result : expectations_) count(detected, scenario_->match, result);
 }
 
 std::optional<Scores> Judge::scores() const {
-  return scorer_.scores().num_scans > 0 ? std::optional(scorer_.scores()) : std::nullopt;
+  Scores scores = scorer_.scores();
+  if (scores.num_scans == 0) return std::nullopt;
+  return scores;
 }
 
 std::vector<GateResult> Judge::gates() const {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+
+#include "core/track/tracker.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -14,6 +17,11 @@ void count(const Features& features, FeatureCounts& counts) {
   counts.lines += static_cast<std::int64_t>(features.lines.size());
   counts.circles += static_cast<std::int64_t>(features.circles.size());
   counts.legs += static_cast<std::int64_t>(features.legs.size());
+}
+
+bool needs_tracks(const Scenario& scenario) {
+  return std::any_of(scenario.needs.begin(), scenario.needs.end(),
+                     [](const Need& need) { return is_followed(need.kind); });
 }
 
 }  // namespace
@@ -29,7 +37,7 @@ bool RunResult::passed_unexpectedly() const {
   return known_fail.has_value() && is_measured && !interrupted && met_its_gates();
 }
 
-RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDetector& detector,
+RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Processing& processing,
                        const ScanObserver& observer) {
   RunResult result;
   result.scenario = scenario.name;
@@ -37,12 +45,15 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDet
   result.duration_s = scenario.duration_s;
   result.known_fail = scenario.known_fail;
   Judge judge(scenario);
+  std::optional<Tracker> tracker;
+  if (processing.track || needs_tracks(scenario)) tracker.emplace();
   LaserScan scan;
   while (!result.interrupted && sensor.next(scan, kScanTimeout)) {
     ++result.num_scans;
-    const Features& features = detector.detect(scan);
+    const Features& features = processing.detector.detect(scan);
     count(features, result.features);
-    judge.add({scan, features, sensor.truth()});
+    const std::vector<Track>* tracks = tracker ? &tracker->update(scan, features) : nullptr;
+    judge.add({scan, features, sensor.truth(), tracks});
     result.interrupted = !observer(scan, features);
   }
   result.scores = judge.scores();

@@ -43,6 +43,16 @@ struct RunResult {
   bool passed_unexpectedly() const;
 };
 
+/// What is done with the scans of a run.
+struct Processing {
+  FeatureDetector& detector;
+  bool track = false;  ///< follow people and cylinders; done anyway where the scenario has needs of them
+
+  // A detector alone is a processing.
+  Processing(FeatureDetector& detects, bool tracks = false)
+      : detector(detects), track(tracks) {}  // NOLINT(google-explicit-constructor)
+};
+
 /// Called with each scan and its features; returns false to stop after it.
 using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
 
@@ -50,7 +60,7 @@ using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
 /// scenario's needs. Fills all fields but laser and preset, which only the caller knows.
 ///
 /// @throws what the sensor's next() throws.
-RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, FeatureDetector& detector,
+RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Processing& processing,
                        const ScanObserver& observer);
 
 }  // namespace scanbed::scenarios

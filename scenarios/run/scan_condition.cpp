@@ -42,6 +42,8 @@ std::vector<Segment> places(const Features& features, FeatureKind kind) {
       for (const Circle& circle : features.circles) places.push_back({circle.center_m, circle.center_m});
       break;
     case FeatureKind::kLeg:
+    case FeatureKind::kPerson:
+    case FeatureKind::kCylinder:
       for (const Leg& leg : features.legs) places.push_back({leg.middle_m, leg.middle_m});
       break;
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/detect/features.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "core/scan/truth.hpp"
 #include "core/score/match_options.hpp"
+#include "core/track/track.hpp"
 #include "scenarios/load/expect.hpp"
 
 namespace scanbed::scenarios {
@@ -15,7 +17,8 @@ namespace scanbed::scenarios {
 struct DetectedScan {
   const LaserScan& scan;
   const Features& features;
-  const Truth* truth = nullptr;  ///< null where the laser has none
+  const Truth* truth = nullptr;                ///< null where the laser has none
+  const std::vector<Track>* tracks = nullptr;  ///< null where nothing is followed
 };
 
 /// Whether the condition holds in this scan; empty where the scan cannot tell: no truth, or nothing to find

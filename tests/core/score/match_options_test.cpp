@@ -22,7 +22,9 @@ TEST(MatchOptionsTest, EachFieldOutOfRangeIsNamed) {
       {"match.circle_center_m", {.circle_center_m = 0.0}},
       {"match.circle_radius_m", {.circle_radius_m = 11.0}},
       {"match.leg_center_m", {.leg_center_m = 0.0}},
-      {"match.narrow_cylinder_m", {.narrow_cylinder_m = -0.1}}};
+      {"match.narrow_cylinder_m", {.narrow_cylinder_m = -0.1}},
+      {"match.person_m", {.person_m = 0.0}},
+      {"match.cylinder_m", {.cylinder_m = -1.0}}};
   for (const auto& [name, options] : cases) {
     try {
       options.validate();

@@ -11,6 +11,23 @@ namespace {
 
 using testing::IdealScene;
 
+TEST(ScorerTest, ScoresTracksWhereThereAre) {
+  IdealScene scene;
+  scene.cylinder({1.5, 0.8}, 0.25);
+  Scorer scorer;
+  EXPECT_FALSE(scorer.scores().person || scorer.scores().cylinder);
+  const std::vector<Track> tracks = {{.id = 1, .kind = TrackKind::kCylinder, .position_m = {1.5, 0.7}},
+                                     {.id = 2, .kind = TrackKind::kPerson, .position_m = {1.5, 0.7}}};
+  LaserScan scan = scene.scan();
+  scorer.add_tracks(tracks, scan, scene.truth());
+  scan.time_s = 0.5;
+  scorer.add_tracks(tracks, scan, scene.truth());
+  ASSERT_TRUE(scorer.scores().person && scorer.scores().cylinder);
+  EXPECT_DOUBLE_EQ(scorer.scores().cylinder->mota(), 1.0);
+  EXPECT_DOUBLE_EQ(scorer.scores().cylinder->object_time_s, 0.5);
+  EXPECT_EQ(scorer.scores().person->num_false, 2);
+}
+
 TEST(ScorerTest, PoolsTheCountsOfAllScansAndKinds) {
   IdealScene scene;
   scene.wall({3.0, -4.0}, {3.0, 4.0});

@@ -36,6 +36,28 @@ TEST(LoadScoreTest, ReadsNeedsInTheirOrder) {
   EXPECT_EQ(scenario.needs[2].bound, 2.0);
 }
 
+TEST(LoadScoreTest, ReadsNeedsOfWhatIsFollowed) {
+  const Scenario scenario = parse(
+      "score: {person: {gate: {center: 0.3}, need: {mota: 0.9, id_switches_per_minute: 1}}, "
+      "cylinder: {gate: {center: 0.4}, need: {idf1: 0.95, motp: 0.1, truths: 5}}}\n");
+  EXPECT_EQ(scenario.match.person_m, 0.3);
+  EXPECT_EQ(scenario.match.cylinder_m, 0.4);
+  ASSERT_EQ(scenario.needs.size(), 5u);
+  EXPECT_EQ(scenario.needs[0].kind, FeatureKind::kPerson);
+  EXPECT_EQ(scenario.needs[0].metric.measure, Measure::kMota);
+  EXPECT_FALSE(scenario.needs[0].metric.at_most);
+  EXPECT_EQ(scenario.needs[1].metric.measure, Measure::kSwitchesPerMinute);
+  EXPECT_TRUE(scenario.needs[1].metric.at_most);
+  EXPECT_EQ(scenario.needs[2].kind, FeatureKind::kCylinder);
+}
+
+TEST(LoadScoreTest, FeaturesAndTracksHaveTheirOwnMetrics) {
+  EXPECT_NE(parse_error("score: {circle: {need: {mota: 0.9}}}\n").find("unknown key 'mota'"),
+            std::string::npos);
+  EXPECT_NE(parse_error("score: {person: {need: {recall: 0.9}}}\n").find("unknown key 'recall'"),
+            std::string::npos);
+}
+
 TEST(LoadScoreTest, RefusesUnknownKindsMetricsAndGates) {
   EXPECT_EQ(parse_error("score: {circel: {}}\n"), "f:4:9: unknown key 'circel'; did you mean 'circle'?");
   EXPECT_EQ(parse_error("score: {leg: {need: {recal: 0.9}}}\n"),

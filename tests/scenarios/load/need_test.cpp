@@ -11,8 +11,8 @@ TEST(FindMetricTest, KnowsAllItsNames) {
     ASSERT_TRUE(find_metric(name).has_value()) << name;
     EXPECT_EQ(find_metric(name)->name, name);
   }
-  // Five plain ones and the ten bands between five edges.
-  EXPECT_EQ(metric_names().size(), 15u);
+  // Five plain ones, the ten bands between five edges, four of tracks.
+  EXPECT_EQ(metric_names().size(), 19u);
 }
 
 TEST(FindMetricTest, ReadsBandsFromTheirNames) {
@@ -40,6 +40,19 @@ TEST(FeatureKindTest, HasTheNamesOfScenarioFiles) {
   EXPECT_EQ(to_string(FeatureKind::kLine), "line");
   EXPECT_EQ(to_string(FeatureKind::kCircle), "circle");
   EXPECT_EQ(to_string(FeatureKind::kLeg), "leg");
+  EXPECT_EQ(to_string(FeatureKind::kPerson), "person");
+  EXPECT_EQ(to_string(FeatureKind::kCylinder), "cylinder");
+}
+
+TEST(NeedTest, EachKindHasItsMetrics) {
+  EXPECT_TRUE(find_metric("mota", FeatureKind::kPerson));
+  EXPECT_FALSE(find_metric("mota", FeatureKind::kLine));
+  EXPECT_FALSE(find_metric("recall", FeatureKind::kCylinder));
+  EXPECT_TRUE(find_metric("truths", FeatureKind::kPerson));
+  EXPECT_TRUE(find_metric("truths", FeatureKind::kLeg));
+  for (const FeatureKind kind : {FeatureKind::kLeg, FeatureKind::kCylinder}) {
+    for (const std::string& name : metric_names(kind)) EXPECT_TRUE(find_metric(name, kind)) << name;
+  }
 }
 
 }  // namespace

@@ -93,5 +93,17 @@ TEST(RunJsonTest, TellsExpectationsWindowsAndUnexpectedPasses) {
   EXPECT_EQ(run["gates_met"], true);
 }
 
+TEST(RunJsonTest, HoldsWhatWasFollowed) {
+  RunResult result = testing::made_result();
+  EXPECT_TRUE(first_run(result)["scores"]["person"].is_null());
+  result.scores->person =
+      TrackTally{.num_truths = 10, .num_matches = 8, .num_switches = 1, .sum_error_m = 0.8};
+  const nlohmann::json person = first_run(result)["scores"]["person"];
+  EXPECT_EQ(person["truths"], 10);
+  EXPECT_DOUBLE_EQ(person["mota"], 0.7);
+  EXPECT_DOUBLE_EQ(person["motp_m"], 0.1);
+  EXPECT_EQ(person["id_switches"], 1);
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

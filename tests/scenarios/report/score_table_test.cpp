@@ -100,5 +100,16 @@ TEST(ScoreTableTest, ShowsExpectationsWithoutTruthToo) {
   EXPECT_NE(score_table(result).find("\nhall: 1 of 1 expectations held\n"), std::string::npos);
 }
 
+TEST(ScoreTableTest, ShowsWhatWasFollowed) {
+  RunResult result = testing::made_result();
+  EXPECT_EQ(score_table(result).find("MOTA"), std::string::npos);
+  result.scores->person =
+      TrackTally{.num_truths = 10, .num_matches = 8, .num_switches = 1, .sum_error_m = 0.8};
+  const std::string table = score_table(result);
+  EXPECT_NE(table.find("MOTA"), std::string::npos);
+  EXPECT_NE(table.find("0.700"), std::string::npos);
+  EXPECT_NE(table.find("100.0 mm"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

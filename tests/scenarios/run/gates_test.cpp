@@ -51,5 +51,27 @@ TEST(EvaluateTest, MissesAGateThatNothingWasMeasuredFor) {
   EXPECT_FALSE(is_met(FeatureKind::kLine, "recall", 0.0));
 }
 
+TEST(GatesTest, MeasuresWhatWasFollowed) {
+  Scores scores;
+  const auto measured = [&](const char* name) {
+    return measure(scores, FeatureKind::kPerson, find_metric(name).value());
+  };
+  EXPECT_FALSE(measured("mota"));  // nothing was followed
+  scores.person = TrackTally{.num_truths = 10,
+                             .num_matches = 8,
+                             .num_switches = 1,
+                             .sum_error_m = 0.8,
+                             .object_time_s = 30.0,
+                             .num_identity_true = 5,
+                             .num_identity_tracks = 10};
+  EXPECT_DOUBLE_EQ(measured("mota").value(), 0.7);
+  EXPECT_DOUBLE_EQ(measured("motp").value(), 0.1);
+  EXPECT_DOUBLE_EQ(measured("id_switches_per_minute").value(), 2.0);
+  EXPECT_DOUBLE_EQ(measured("idf1").value(), 0.5);
+  EXPECT_DOUBLE_EQ(measured("truths").value(), 10.0);
+  scores.person->num_truths = 0;
+  EXPECT_FALSE(measured("idf1"));
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

@@ -127,5 +127,21 @@ TEST(RunScenarioTest, PassesUnexpectedlyOnlyWhereSomethingWasMeasured) {
   EXPECT_FALSE(result.passed_unexpectedly());
 }
 
+TEST(RunScenarioTest, FollowsWhereAskedOrNeeded) {
+  const Scenario plain = testing::parse("seed: 5\n");
+  const Scenario needs = testing::parse("seed: 5\nscore: {cylinder: {need: {truths: 3}}}\n");
+  FeatureDetector detector{robust_options()};
+  const auto go_on = [](const LaserScan&, const Features&) { return true; };
+  OneCylinder first(5, true);
+  EXPECT_FALSE(run_scenario(plain, first, detector, go_on).scores->cylinder);
+  OneCylinder second(5, true);
+  const RunResult asked = run_scenario(plain, second, {detector, true}, go_on);
+  ASSERT_TRUE(asked.scores->cylinder);
+  EXPECT_EQ(asked.scores->cylinder->num_truths, 5);
+  EXPECT_EQ(asked.scores->cylinder->num_matches, 4);  // one hit confirms nothing
+  OneCylinder third(5, true);
+  EXPECT_TRUE(run_scenario(needs, third, detector, go_on).met_its_gates());
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios
