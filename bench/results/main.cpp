@@ -7,6 +7,7 @@
 
 #include "bench/results/recorded_results.hpp"
 #include "bench/results/simulated_results.hpp"
+#include "bench/results/tracked_results.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -76,6 +77,25 @@ std::string with_interval(const std::vector<Share>& runs) {
   return text;
 }
 
+void print_tracked_legs(const std::filesystem::path& data) {
+  for (const std::string name : {"legs_pos1", "legs_pos2"}) {
+    Values recall;
+    for (const DetectorOptions& preset : kPresets) {
+      const Labels labels = read_leg_labels(data / (name + ".legs.jsonl"));
+      const TrackedLegResult legs = tracked_legs_in_recording(data / (name + ".log"), labels, {preset, {}});
+      recall.push_back(ratio(legs.num_found, legs.num_labels));
+    }
+    print_row(name.c_str(),
+              "with tracking: recall of labelled legs, leg within 0.15 m or person within 0.40 m", recall);
+  }
+  Values false_tracks;
+  for (const DetectorOptions& preset : kPresets) {
+    const TrackedLegResult nobody = tracked_legs_in_recording(data / "nobody.log", {}, {preset, {}});
+    false_tracks.push_back(decimals(static_cast<double>(nobody.num_tracks) / nobody.num_scans, ""));
+  }
+  print_row("nobody", "with tracking: false tracks of people and legs a scan", false_tracks);
+}
+
 void print_simulated(const SimulatedSet& set) {
   std::vector<SimulatedResult> results;
   for (const DetectorOptions& preset : kPresets) results.push_back(simulated_results(set, preset));
@@ -122,6 +142,7 @@ int main() {
     std::printf("| recording | figure | `paper` | `robust` |\n|---|---|---|---|\n");
     scanbed::bench::print_circles(data);
     scanbed::bench::print_legs(data);
+    scanbed::bench::print_tracked_legs(data);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "results: %s\n", error.what());
     return 2;

@@ -77,6 +77,8 @@ void TrackScorer::count(const Scan& scan, double dt_s) {
     ++(resolvable ? tally_.num_matches : tally_.num_neither);
     if (resolvable) tally_.sum_error_m += (track.position_m - truth.center_m).norm();
     int& last_id = last_id_[truth.id];
+    // What passes before a hidden object is excused by it, and does not take its name.
+    if (!resolvable && last_id != kNoId) continue;
     if (last_id != kNoId && last_id != track.id) ++tally_.num_switches;
     last_id = track.id;
   }

@@ -70,6 +70,15 @@ TEST(TrackScorerTest, WhatNeedNotBeFoundExcusesATrackAndKeepsItsName) {
   EXPECT_DOUBLE_EQ(tally.object_time_s, 2.0);  // hidden, it is not in view
 }
 
+TEST(TrackScorerTest, WhatPassesBeforeAHiddenObjectDoesNotTakeItsName) {
+  TrackScorer scorer(TrackKind::kPerson, 0.5);
+  scorer.add({truth("a", 1.0)}, {person(1, 1.0)}, 0.0);
+  scorer.add({truth("a", 1.0, Visibility::kHidden)}, {person(2, 0.7)}, 0.1);
+  scorer.add({truth("a", 1.0)}, {person(1, 1.0)}, 0.1);
+  EXPECT_EQ(scorer.tally().num_switches, 0);
+  EXPECT_EQ(scorer.tally().num_neither, 1);
+}
+
 TEST(TrackScorerTest, IdentitiesAreThoseOfTheWholeRun) {
   TrackScorer scorer(TrackKind::kPerson, 0.5);
   for (int i = 0; i < 10; ++i) scorer.add({truth("a", 1.0)}, {person(i < 7 ? 1 : 2, 1.0)}, 0.1);
