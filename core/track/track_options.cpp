@@ -25,6 +25,8 @@ void TrackOptions::validate() const {
           "track.max_displacement_evidence", max_displacement_evidence, "[0, 100]");
   require(max_leg_distance_m > 0.0 && max_leg_distance_m <= 2.0, "track.max_leg_distance_m",
           max_leg_distance_m, "(0, 2]");
+  require(thin_circle_score >= 0.0 && thin_circle_score <= 1.0, "track.thin_circle_score", thin_circle_score,
+          "[0, 1]");
   require(min_score >= 0.0 && min_score <= 1.0, "track.min_score", min_score, "[0, 1]");
   require(min_cylinder_radius_m >= 0.0 && min_cylinder_radius_m <= 10.0, "track.min_cylinder_radius_m",
           min_cylinder_radius_m, "[0, 10]");

@@ -9,6 +9,8 @@
 namespace scanbed {
 namespace {
 
+constexpr double kMinLegRadius_m = 0.03;
+constexpr double kMaxLegRadius_m = 0.11;
 constexpr double kMaxStep_s = 10.0;  // after a longer pause nothing is where it was
 
 const TrackOptions& validated(const TrackOptions& options) {
@@ -33,11 +35,13 @@ const std::vector<Track>& Tracker::update(const LaserScan& scan, const Features&
                                           const Pose2& X_WS) {
   X_WS_ = X_WS;
   const TrackedScan now{scan, X_WS, step_s(scan.time_s)};
-  people_.update(now, features.legs, options_);
+  gather_legs(features);
+  people_.update(now, legs_, options_);
   mark_legs(features);
   cylinders_.update(now, features.circles, circle_is_leg_, options_);
   reported_.clear();
   report(people_.tracks());
+  hide_stand_ins(static_cast<int>(features.legs.size()));
   report(cylinders_.tracks());
   std::sort(reported_.begin(), reported_.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
   return reported_;
@@ -56,6 +60,28 @@ void Tracker::mark_legs(const Features& features) {
   circle_is_leg_.clear();
   for (const Circle& circle : features.circles)
     circle_is_leg_.push_back(is_leg_too(circle, features.legs) ? 1 : 0);
+}
+
+// A leg whose width or depth misses the rules of legs is often a good circle all the same.
+void Tracker::gather_legs(const Features& features) {
+  legs_.assign(features.legs.begin(), features.legs.end());
+  if (options_.thin_circle_score == 0.0) return;
+  for (const Circle& circle : features.circles) {
+    const bool is_thin = circle.radius_m >= kMinLegRadius_m && circle.radius_m <= kMaxLegRadius_m;
+    const bool is_known = std::any_of(features.legs.begin(), features.legs.end(), [&](const Leg& leg) {
+      return leg.beams.first <= circle.beams.last && circle.beams.first <= leg.beams.last;
+    });
+    if (!is_thin || is_known) continue;
+    legs_.push_back({circle.beams, circle.center_m, options_.thin_circle_score});
+  }
+}
+
+// Legs that were found as circles alone are in no list that users know.
+void Tracker::hide_stand_ins(int num_legs) {
+  for (Track& track : reported_) {
+    if (track.feature >= num_legs) track.feature = kNoFeature;
+    if (track.second_feature >= num_legs) track.second_feature = kNoFeature;
+  }
 }
 
 void Tracker::report(std::vector<LiveTrack>& tracks) {

@@ -42,6 +42,8 @@ class Tracker {
  private:
   double step_s(double time_s);
   void mark_legs(const Features& features);
+  void gather_legs(const Features& features);
+  void hide_stand_ins(int num_legs);
   void report(std::vector<LiveTrack>& tracks);
 
   TrackOptions options_;
@@ -52,6 +54,7 @@ class Tracker {
   bool has_begun_ = false;
   double last_time_s_ = 0.0;
   int last_id_ = 0;
+  std::vector<Leg> legs_;  ///< of this scan: those found, then thin circles
   std::vector<char> circle_is_leg_;
   std::vector<Track> reported_;
 };

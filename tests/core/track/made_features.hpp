@@ -14,7 +14,7 @@ inline LaserScan open_scan(double time_s, double range_m = 20.0) {
   return scan;
 }
 
-inline Leg leg_at(const Eigen::Vector2d& p_SL_m, double score = 0.8) {
+inline Leg leg_at(const Eigen::Vector2d& p_SL_m, double score = 0.9) {
   return {.middle_m = p_SL_m, .score = score};
 }
 

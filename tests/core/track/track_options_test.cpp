@@ -30,6 +30,7 @@ TEST(TrackOptionsTest, EachBadFieldIsNamed) {
       {"track.displacement_step_m", [](TrackOptions& o) { o.displacement_step_m = 0.0; }},
       {"track.max_displacement_evidence", [](TrackOptions& o) { o.max_displacement_evidence = -1.0; }},
       {"track.max_leg_distance_m", [](TrackOptions& o) { o.max_leg_distance_m = 0.0; }},
+      {"track.thin_circle_score", [](TrackOptions& o) { o.thin_circle_score = 1.1; }},
       {"track.min_score", [](TrackOptions& o) { o.min_score = 1.5; }},
       {"track.min_cylinder_radius_m", [](TrackOptions& o) { o.min_cylinder_radius_m = -0.1; }},
       {"track.max_cylinder_radius_m", [](TrackOptions& o) { o.max_cylinder_radius_m = 0.05; }},

@@ -121,6 +121,26 @@ TEST(TrackerTest, ALegThatIsACircleTooIsNoCylinder) {
   EXPECT_EQ(tracker.tracks().size(), 1u);
 }
 
+TEST(TrackerTest, ThinCirclesStandInForLegsThatTheRulesMiss) {
+  for (const double score : {0.5, 0.0}) {
+    TrackOptions options;
+    options.thin_circle_score = score;
+    Tracker tracker(options);
+    for (int i = 0; i < 30; ++i) {
+      Features features;
+      features.circles = {circle_at({1.0 + 0.1 * i, 0.1}, 0.06), circle_at({1.0 + 0.1 * i, -0.1}, 0.06)};
+      features.circles[0].beams = {190, 195};
+      features.circles[1].beams = {170, 175};
+      tracker.update(open_scan(0.1 * i), features, Pose2{});
+    }
+    ASSERT_EQ(tracker.tracks().size(), score > 0.0 ? 1u : 0u);  // who walks so far is somebody
+    if (score > 0.0) {
+      EXPECT_EQ(tracker.tracks()[0].kind, TrackKind::kPerson);
+      EXPECT_EQ(tracker.tracks()[0].feature, kNoFeature);  // no leg of the features shows it
+    }
+  }
+}
+
 TEST(TrackerTest, OddScansAndClocksAreFine) {
   Tracker tracker;
   LaserScan empty;
