@@ -60,11 +60,37 @@ FileDescriptor open_port(const std::string& path) {
   return fd;
 }
 
+/// Code of a baud in the standard table, so that programs that know no other codes can tell what is set; of
+/// any other baud BOTHER.
+tcflag_t baud_code(int baud) {
+  switch (baud) {
+    case 9600:
+      return B9600;
+    case 19200:
+      return B19200;
+    case 38400:
+      return B38400;
+    case 57600:
+      return B57600;
+    case 115200:
+      return B115200;
+    case 230400:
+      return B230400;
+    case 460800:
+      return B460800;
+    case 500000:
+      return B500000;
+    default:
+      return BOTHER;
+  }
+}
+
 void make_raw(termios2& settings, int baud) {
+  const tcflag_t code = baud_code(baud);
   settings.c_iflag = 0;
   settings.c_oflag = 0;
   settings.c_lflag = 0;
-  settings.c_cflag = CS8 | CREAD | CLOCAL | BOTHER | (BOTHER << IBSHIFT);
+  settings.c_cflag = CS8 | CREAD | CLOCAL | code | (code << IBSHIFT);
   settings.c_ispeed = static_cast<speed_t>(baud);
   settings.c_ospeed = static_cast<speed_t>(baud);
   settings.c_cc[VMIN] = 0;

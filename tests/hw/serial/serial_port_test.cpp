@@ -2,9 +2,12 @@
 #include "hw/serial/serial_port.hpp"
 
 #include <gtest/gtest.h>
+#include <termios.h>
 
 #include <array>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/pseudo_terminal.hpp"
@@ -45,6 +48,24 @@ TEST(SerialPortTest, ReadingWaitsForTheTimeGivenAndNoLonger) {
   const double least_s = tests::least_seconds(0.15, [&] { EXPECT_EQ(port.read(buffer, 0.1, stop), 0U); });
   EXPECT_GE(least_s, 0.099);
   EXPECT_LT(least_s, 0.15);
+}
+
+// A program that does not know termios2 reads the code of the standard table alone.
+TEST(SerialPortTest, SetsAnyBaudAndTheStandardOnesByTheirCode) {
+  PseudoTerminal terminal({});
+  SerialPort port(terminal.path());
+  const std::vector<std::pair<int, speed_t>> standard = {
+      {9600, B9600}, {19200, B19200}, {38400, B38400}, {57600, B57600}, {115200, B115200}, {500000, B500000}};
+  for (const auto& [baud, code] : standard) {
+    port.set_baud(baud);
+    EXPECT_EQ(terminal.host_baud(), baud);
+    termios settings{};
+    ASSERT_EQ(tcgetattr(terminal.fd(), &settings), 0);
+    EXPECT_EQ(cfgetospeed(&settings), code) << baud;
+    EXPECT_EQ(cfgetispeed(&settings), code) << baud;
+  }
+  port.set_baud(123456);
+  EXPECT_EQ(terminal.host_baud(), 123456);
 }
 
 TEST(SerialPortTest, FlushForgetsWhatArrived) {

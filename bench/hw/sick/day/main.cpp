@@ -42,8 +42,8 @@ double cpu_s() {
 
 int run(double hours) {
   const auto num_scans = static_cast<std::int64_t>(hours * 3600.0 * kRate_hz);
-  tests::RunningEmulator emulator(tests::quick_sensor());
-  hw::SickLms laser(tests::quick_driver(emulator.port()));
+  tests::RunningEmulator emulator(tests::quick_sensor_at(500000));
+  hw::SickLms laser(tests::patient_driver(emulator.port()));
   LaserScan scan;
   long early_kib = 0;
   std::int64_t num_wrong = 0;
