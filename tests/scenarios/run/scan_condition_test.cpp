@@ -32,9 +32,9 @@ class ScanConditionTest : public ::testing::Test {
     return holds({.kind = FeatureKind::kCircle, .near = NearObject{id, within_m}, .at_least = at_least});
   }
 
-  LaserScan scan_;
+  LaserScan scan_{.range_m = {kNoEcho}};
   Features features_;
-  Truth truth_;
+  Truth truth_{.beams = {BeamTruth{}}};  // of the scan's one beam, on which all features stand
 };
 
 TEST_F(ScanConditionTest, CountsFeaturesOfItsKind) {
