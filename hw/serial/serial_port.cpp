@@ -10,10 +10,8 @@
 #include <sys/ioctl.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <thread>
 
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/steady_clock.hpp"
@@ -22,7 +20,7 @@ namespace scanbed::hw {
 namespace {
 
 constexpr int kFastestUnpacedBaud = 115200;
-constexpr auto kByteGap = std::chrono::microseconds(60);
+constexpr double kByteGap_s = 60e-6;
 constexpr double kWritePatience_s = 1.0;
 
 SensorFault fault(const std::string& message) {
@@ -85,6 +83,13 @@ tcflag_t baud_code(int baud) {
   }
 }
 
+/// Without sleep: on a busy machine that may take milliseconds, and a sensor gives up a request whose bytes
+/// lie 6 ms apart.
+void wait_for_gap() {
+  const double end_s = steady_now_s() + kByteGap_s;
+  while (steady_now_s() < end_s) continue;
+}
+
 void make_raw(termios2& settings, int baud) {
   const tcflag_t code = baud_code(baud);
   settings.c_iflag = 0;
@@ -101,6 +106,12 @@ void make_raw(termios2& settings, int baud) {
 
 SerialPort::SerialPort(const std::string& path) : path_(path), fd_(open_port(path)) {
   set_baud(9600);
+}
+
+SerialPort::~SerialPort() {
+  // Where somebody else holds the port open, as an emulator does, the mark would outlive this and keep the
+  // next user out.
+  if (fd_.is_open()) ::ioctl(fd_.get(), TIOCNXCL);
 }
 
 void SerialPort::lose(const char* what) const {
@@ -140,7 +151,7 @@ void SerialPort::write_some(ByteView& bytes, const StopSignal& stop) {
   const ssize_t count = ::write(fd_.get(), bytes.data(), is_paced ? 1 : bytes.size());
   if (count > 0) {
     bytes = bytes.subspan(static_cast<std::size_t>(count));
-    if (is_paced) std::this_thread::sleep_for(kByteGap);
+    if (is_paced) wait_for_gap();
     return;
   }
   if (count < 0 && errno != EAGAIN && errno != EINTR) lose(std::strerror(errno));

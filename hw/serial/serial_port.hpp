@@ -13,6 +13,7 @@ class SerialPort final : public ByteLink {
   /// @param path  a device; names below /dev/serial/by-id stay the same when it is plugged in again.
   /// @throws SensorFault kDisconnected saying what to do: no such port, no permission, in use, not a port.
   explicit SerialPort(const std::string& path);
+  ~SerialPort() override;
 
   std::size_t read(std::span<std::uint8_t> buffer, double timeout_s, const StopSignal& stop) override;
 

@@ -4,8 +4,8 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr std::size_t kOlderBytes = 32;
-constexpr std::size_t kBytes = 34;
+constexpr std::size_t kFewestBytes = 32;
+constexpr std::size_t kMostBytes = 64;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ LmsConfiguration::LmsConfiguration()
              0x0A, 0x0A, 0x50, 0x64, 0x00, 0x00, 0x00, 0x00, 0x02, 0x00} {}
 
 std::optional<LmsConfiguration> LmsConfiguration::from_bytes(ByteView bytes) {
-  if (bytes.size() != kBytes && bytes.size() != kOlderBytes) return std::nullopt;
+  if (bytes.size() < kFewestBytes || bytes.size() > kMostBytes) return std::nullopt;
   LmsConfiguration configuration;
   configuration.bytes_.assign(bytes.begin(), bytes.end());
   return configuration;

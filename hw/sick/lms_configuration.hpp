@@ -10,13 +10,13 @@
 namespace scanbed::hw {
 
 /// The configuration that a sensor keeps in its EEPROM, as it travels in telegrams 77h, F4h and F7h. Bytes
-/// without a name here are kept as they came. Older firmware has 32 bytes, newer 34.
+/// without a name here are kept as they came. Older firmware has 32 bytes, newer 34; more are kept as well.
 class LmsConfiguration {
  public:
   /// A sensor's millimetre configuration: measuring mode 00, no indices.
   LmsConfiguration();
 
-  /// Empty where the number of bytes is neither 32 nor 34.
+  /// Empty where there are fewer than 32 bytes or more than 64.
   static std::optional<LmsConfiguration> from_bytes(ByteView bytes);
 
   ByteView bytes() const { return bytes_; }

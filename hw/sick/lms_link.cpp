@@ -18,6 +18,8 @@ constexpr std::int64_t kMostGarbageAfterAck = 32;
 // Nothing is read for longer in one go, so that half a telegram expires in time.
 constexpr double kLongestRead_s = 0.5 * TelegramDecoder::kExpiry_s;
 constexpr std::size_t kReadBytes = 4096;
+// B1h is the longest answer to any request but those for scans.
+constexpr double kLongestAnswerBytes = 160.0;
 
 std::string hex(std::uint8_t byte) {
   std::array<char, 8> text{};
@@ -44,6 +46,7 @@ void LmsLink::flush() {
 
 void LmsLink::set_baud(int baud) {
   port_.set_baud(baud);
+  byte_s_ = 10.0 / baud;
   flush();
 }
 
@@ -82,7 +85,10 @@ bool LmsLink::next_telegram(WireItem& item, double timeout_s, double& arrival_s)
 LmsLink::Try LmsLink::wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply) {
   const double start_s = steady_now_s();
   const double reply_s = how.reply_s > 0.0 ? how.reply_s : patience_.reply_s;
-  const double first_sign_s = start_s + (how.first_sign_s > 0.0 ? how.first_sign_s : patience_.ack_s);
+  // An acknowledgement may get lost, so the answer itself must have the time to arrive.
+  const double sign_s =
+      how.first_sign_s > 0.0 ? how.first_sign_s : patience_.ack_s + kLongestAnswerBytes * byte_s_;
+  const double first_sign_s = start_s + sign_s;
   double deadline_s = first_sign_s;
   std::int64_t garbage_at_ack = decoder_.counts().num_garbage_bytes;
   WireItem item;

@@ -41,7 +41,7 @@ class LmsLink {
 
   struct Ask {
     int num_tries = 3;
-    double first_sign_s = 0.0;  ///< 0: patience.ack_s
+    double first_sign_s = 0.0;  ///< 0: patience.ack_s, and the time of an answer on the wire
     double reply_s = 0.0;       ///< 0: patience.reply_s
   };
 
@@ -87,6 +87,7 @@ class LmsLink {
   TelegramDecoder decoder_{TelegramDecoder::Talker::kSensor};
   LinkCounts counts_;
   double last_read_s_ = 0.0;
+  double byte_s_ = 0.0;  // on the wire; 0: not known
 };
 
 }  // namespace scanbed::hw

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "hw/serial/steady_clock.hpp"
 
@@ -10,6 +11,8 @@ namespace scanbed::hw {
 namespace {
 
 constexpr int kTriesAtABaud = 2;
+// Type and errors are at hand at once, unlike a change of mode.
+constexpr double kDiagnosticReply_s = 1.0;
 
 void check_done(const ModeReply& reply, const std::string& what) {
   if (reply.result == 0) return;
@@ -40,12 +43,27 @@ bool answers(LmsLink& link) {
   }
 }
 
+/// Answer to a request that a sensor may not know; what is not needed to stream is not insisted on.
+template <typename Reply>
+Reply ask_if_known(LmsLink& link, RequestCommand::What what) {
+  try {
+    return link.ask<Reply>(RequestCommand{what}, {.num_tries = kTriesAtABaud, .reply_s = kDiagnosticReply_s});
+  } catch (const LmsReboot&) {
+    throw;
+  } catch (const LmsRefusal&) {
+    return {};
+  } catch (const SensorFault& fault) {
+    if (fault.kind() != SensorFault::Kind::kTimeout) throw;
+    return {};
+  }
+}
+
 LmsIdentity identify(LmsLink& link, int baud) {
   LmsIdentity identity;
   identity.found_baud = baud;
   identity.status = link.ask<StatusReply>(RequestCommand{RequestCommand::What::kStatus});
-  identity.type = link.ask<TypeReply>(RequestCommand{RequestCommand::What::kType}).text;
-  identity.errors = link.ask<ErrorsReply>(RequestCommand{RequestCommand::What::kErrors}).entries;
+  identity.type = ask_if_known<TypeReply>(link, RequestCommand::What::kType).text;
+  identity.errors = ask_if_known<ErrorsReply>(link, RequestCommand::What::kErrors).entries;
   return identity;
 }
 
@@ -72,34 +90,44 @@ LmsConfiguration read_configuration(LmsLink& link) {
   return link.ask<ConfigurationReply>(RequestCommand{RequestCommand::What::kConfiguration}).configuration;
 }
 
+/// Whether a configuration is the wanted one in what the driver depends on. A sensor may set other bytes its
+/// own way; to write again because of them would wear the EEPROM for nothing.
+bool serves(const LmsConfiguration& configuration, const LmsConfiguration& wanted) {
+  return configuration.unit() == wanted.unit() && configuration.measuring_mode() == wanted.measuring_mode();
+}
+
 /// Writes once. An answer that got lost is no reason to write again: what is in force is read instead.
-void write_once(LmsLink& link, const LmsConfiguration& wanted) {
+/// @returns the configuration in force.
+LmsConfiguration write_once(LmsLink& link, const LmsConfiguration& wanted) {
   const double write_s = link.patience().write_s;
   try {
     const auto reply = link.ask<WrittenReply>(WriteConfigurationCommand{wanted},
                                               {.num_tries = 1, .first_sign_s = write_s, .reply_s = write_s});
-    if (reply.is_done && reply.configuration == wanted) return;
+    if (reply.is_done && serves(reply.configuration, wanted)) return reply.configuration;
   } catch (const LmsReboot&) {
     throw;
   } catch (const LmsRefusal&) {
     throw;
   } catch (const SensorFault& fault) {
     if (fault.kind() != SensorFault::Kind::kTimeout) throw;
-    if (read_configuration(link) == wanted) return;
+    const LmsConfiguration now = read_configuration(link);
+    if (serves(now, wanted)) return now;
     throw;
   }
   throw LmsRefusal("the sensor refused the configuration (unit or measuring mode)");
 }
 
-void write_configuration(LmsLink& link, const LmsConfiguration& wanted) {
+LmsConfiguration write_configuration(LmsLink& link, const LmsConfiguration& wanted) {
+  std::optional<LmsConfiguration> in_force;
   try {
     check_done(link.ask<ModeReply>(SetModeCommand{LmsMode::kInstallation, true}), "the installation mode");
-    write_once(link, wanted);
+    in_force = write_once(link, wanted);
   } catch (const SensorFault&) {
     link.tell(SetModeCommand{LmsMode::kOnRequest});
     throw;
   }
   set_mode(link, LmsMode::kOnRequest, "to leave the installation mode");
+  return *in_force;
 }
 
 /// The variant of the sensor that carries what the options ask for: four turns a scan are those of 0.25
@@ -139,11 +167,11 @@ void change_baud(LmsLink& link, int baud) {
 LmsConfiguration start_stream(LmsLink& link, const LmsIdentity& identity, const SickOptions& options) {
   if (identity.found_baud != options.baud) change_baud(link, options.baud);
   set_variant(link, identity.status.variant, sensor_variant(options));
-  const LmsConfiguration now = read_configuration(link);
+  LmsConfiguration now = read_configuration(link);
   const LmsConfiguration wanted = wanted_configuration(now, options);
-  if (!(wanted == now)) write_configuration(link, wanted);
+  if (!(wanted == now)) now = write_configuration(link, wanted);
   set_mode(link, options.is_interlaced_here() ? LmsMode::kStreamPartial : LmsMode::kStream, "to stream");
-  return wanted;
+  return now;
 }
 
 void end_stream(ByteLink& port, int baud, double answer_s) noexcept {

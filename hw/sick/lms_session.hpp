@@ -13,9 +13,9 @@ namespace scanbed::hw {
 /// What a sensor turned out to be.
 struct LmsIdentity {
   int found_baud = 0;  ///< at which it answered first
-  std::string type;    ///< "LMS200;301063;V02.10 "
+  std::string type;    ///< "LMS200;301063;V02.10 "; empty where it does not say
   StatusReply status;
-  std::vector<ErrorsReply::Entry> errors;
+  std::vector<ErrorsReply::Entry> errors;  ///< empty also where it does not say
 };
 
 /// Bauds in the order in which to try them: the wanted one, then the likeliest.

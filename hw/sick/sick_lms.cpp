@@ -6,6 +6,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -51,7 +52,8 @@ struct SickLms::Impl {
   // Of the worker alone.
   LaserScan scan;
   bool has_streamed = false;
-  bool was_port_good = false;  // a port that never was there is a wrong name
+  bool was_port_good = false;          // a port that never was there is a wrong name
+  std::optional<double> first_sign_s;  // when the sensor first answered
   int num_failures = 0;
   int first_found_baud = 0;
   int last_good_baud;
@@ -104,6 +106,8 @@ bool SickLms::Impl::try_again(const SensorFault& fault) {
     ++report.num_restarts;
   }
   if (has_streamed) return true;
+  if (dynamic_cast<const LmsReboot*>(&fault) != nullptr && !first_sign_s) first_sign_s = steady_now_s();
+  if (first_sign_s && steady_now_s() - *first_sign_s < options.patience.boot_s) return true;
   return was_port_good && ++num_failures < options.patience.num_first_attempts;
 }
 
@@ -149,6 +153,7 @@ void SickLms::Impl::open_and_stream(SerialPort& port) {
   seen = {};
   enter("looking for the sensor");
   const LmsIdentity identity = find_lms(link, probe_order(last_good_baud));
+  if (!first_sign_s) first_sign_s = steady_now_s();
   if (first_found_baud == 0) first_found_baud = identity.found_baud;
   enter("configuring");
   {

@@ -13,14 +13,16 @@ namespace scanbed::hw {
 
 /// How long the driver waits for what. The defaults suit every LMS 2xx; tests shorten them.
 struct SickPatience {
-  double ack_s = 0.25;         ///< for the first sign of an answer
-  double reply_s = 3.5;        ///< for the answer, once there was a sign; a change of mode takes up to 3 s
-  double write_s = 25.0;       ///< for the answer to a configuration that is written
-  double settle_s = 0.3;       ///< after a change of baud
-  double silence_s = 1.0;      ///< without a good telegram in the stream, beside its time on the wire
-  double pause_s = 0.5;        ///< between two attempts to get the sensor back
-  double close_s = 0.07;       ///< for each of the two answers while the driver stops
-  int num_first_attempts = 3;  ///< before the first scan; afterwards there is no end of them
+  double ack_s = 0.25;     ///< for the first sign of an answer
+  double reply_s = 3.5;    ///< for the answer, once there was a sign; a change of mode takes up to 3 s
+  double write_s = 25.0;   ///< for the answer to a configuration that is written
+  double settle_s = 0.3;   ///< after a change of baud
+  double silence_s = 1.0;  ///< without a good telegram in the stream, beside its time on the wire
+  double pause_s = 0.5;    ///< between two attempts to get the sensor back
+  double close_s = 0.07;   ///< for each of the two answers while the driver stops
+  double boot_s = 60.0;    ///< before the first scan, from the sensor's first sign: it may be starting anew
+  int num_first_attempts =
+      3;  ///< before the sensor's first sign; after the first scan there is no end of them
 };
 
 /// What `sick:PATH?...` says.

@@ -8,16 +8,9 @@
 
 #include "core/scan/range_sensor.hpp"
 #include "hw/sick/scan_feed.hpp"
+#include "tests/support/numbered_steps.hpp"
 
 namespace scanbed::tests {
-
-/// Millimetres that beam `beam` of scan `number` measures: each scan tells its number, and every beam can be
-/// checked against it.
-inline int numbered_steps(std::int64_t number, int beam) {
-  if (beam == 0) return static_cast<int>(number % 8000);
-  if (beam == 1) return static_cast<int>(number / 8000 % 8000);
-  return static_cast<int>((number * 31 + beam * 17) % 8000);
-}
 
 /// The number of a whole scan; empty where any of its beams is not that scan's.
 inline std::optional<std::int64_t> number_of(const LaserScan& scan, double steps_per_m = 1000.0) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "hw/serial/serial_port.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 
 #include <array>
@@ -38,6 +40,23 @@ TEST(SerialPortTest, AClosedPortIsFree) {
   PseudoTerminal terminal({});
   { const SerialPort port(terminal.path()); }
   EXPECT_NO_THROW(SerialPort(terminal.path()));
+}
+
+// The superuser may open a port that is marked as exclusive, others may not: so the mark itself is looked at.
+TEST(SerialPortTest, LeavesNoMarkOnAPortThatOthersHoldOpen) {
+  PseudoTerminal terminal({});
+  const FileDescriptor other(::open(terminal.path().c_str(), O_RDWR | O_NOCTTY));
+  ASSERT_TRUE(other.is_open());
+  const auto is_exclusive = [&] {
+    int mark = -1;
+    EXPECT_EQ(::ioctl(other.get(), TIOCGEXCL, &mark), 0);
+    return mark != 0;
+  };
+  {
+    const SerialPort port(terminal.path());
+    EXPECT_TRUE(is_exclusive());
+  }
+  EXPECT_FALSE(is_exclusive());
 }
 
 TEST(SerialPortTest, ReadingWaitsForTheTimeGivenAndNoLonger) {

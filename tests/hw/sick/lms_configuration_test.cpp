@@ -33,7 +33,7 @@ TEST(LmsConfigurationTest, ChangesNoByteBesideTheOneThatIsSet) {
 }
 
 TEST(LmsConfigurationTest, KeepsUnknownBytesAndBothLengths) {
-  for (const std::size_t size : {32U, 34U}) {
+  for (const std::size_t size : {32U, 34U, 36U, 64U}) {
     Bytes bytes(size);
     for (std::size_t i = 0; i < size; ++i) bytes[i] = static_cast<std::uint8_t>(i + 100);
     const auto configuration = LmsConfiguration::from_bytes(bytes);
@@ -43,7 +43,7 @@ TEST(LmsConfigurationTest, KeepsUnknownBytesAndBothLengths) {
 }
 
 TEST(LmsConfigurationTest, RefusesOtherLengths) {
-  for (const std::size_t size : {0U, 31U, 33U, 35U}) {
+  for (const std::size_t size : {0U, 31U, 65U}) {
     EXPECT_FALSE(LmsConfiguration::from_bytes(Bytes(size)).has_value()) << size;
   }
 }

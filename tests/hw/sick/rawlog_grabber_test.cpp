@@ -76,7 +76,7 @@ bool holds_scan(const std::string& bytes, std::int64_t number) {
 
 TEST(RawlogGrabberTest, ReadsTheEmulatedSensor) {
   if (std::system("command -v rawlog-grabber > /dev/null") != 0)
-    GTEST_SKIP() << "rawlog-grabber (mrpt-apps) is missing";
+    GTEST_SKIP() << "rawlog-grabber (group mrpt of .ci/debian-packages) is missing";
   const fs::path folder = fs::path(::testing::TempDir()) / ("grabber_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   {
