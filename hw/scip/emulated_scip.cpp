@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "hw/scip/scip_text.hpp"
@@ -19,6 +20,11 @@ constexpr std::size_t kLongestLine = 128;
 bool all_digits(const std::string& text, std::size_t from) {
   return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(),
                      [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool asks_for_scans(const std::string& line) {
+  return line.size() >= 2 && (line[0] == 'G' || line[0] == 'M') &&
+         std::string_view("DSE").find(line[1]) != std::string_view::npos;
 }
 
 int number(const std::string& text, std::size_t at, std::size_t size) {
@@ -128,31 +134,31 @@ void EmulatedScip::answer_scan(const std::string& line, double now_s) {
   next_scan_s_ = now_s;
 }
 
-void EmulatedScip::answer(const std::string& line, double now_s) {
-  const std::string name = line.substr(0, 2);
-  if (is_scip_1_) return answer_in_scip_1(line);
-  if (name == "TM") return answer_clock(line, now_s);
-  if (is_clock_mode_) return status(line, "0E");
-  if (line == "PP" || line == "VV" || line == "II") return answer_info(line);
-  if (name.size() == 2 && (name[0] == 'G' || name[0] == 'M') &&
-      std::string("DSE").find(name[1]) != std::string::npos) {
-    return answer_scan(line, now_s);
-  }
-  if (line == "BM") {
-    status(line, is_laser_on_ ? "02" : "00");
-    is_laser_on_ = true;
-  } else if (line == "QT" || line == "RS" || line == "RT") {
+/// Carries out a command that is answered by a status alone, and gives it.
+std::string EmulatedScip::carry_out(const std::string& line, double now_s) {
+  if (line == "BM") return std::exchange(is_laser_on_, true) ? "02" : "00";
+  if (line == "QT" || line == "RS" || line == "RT") {
     is_laser_on_ = is_streaming_ = false;
     if (line != "QT") zero_s_ = now_s;
-    status(line, "00");
-  } else if (line == "%ST") {
-    const std::string state = is_streaming_ ? "004" : "000";
-    say(line + "\n00P\n" + state + scip_sum(state) + "\n\n");
-  } else if (name == "SS" || name == "CR" || name == "HS") {
-    status(line, "03");
-  } else {
-    status(line, "0E");
+    return "00";
   }
+  const std::string name = line.substr(0, 2);
+  return name == "SS" || name == "CR" || name == "HS" ? "03" : "0E";
+}
+
+void EmulatedScip::answer_state(const std::string& line) {
+  const std::string state = is_streaming_ ? "004" : "000";
+  say(line + "\n00P\n" + state + scip_sum(state) + "\n\n");
+}
+
+void EmulatedScip::answer(const std::string& line, double now_s) {
+  if (is_scip_1_) return answer_in_scip_1(line);
+  if (line.starts_with("TM")) return answer_clock(line, now_s);
+  if (is_clock_mode_) return status(line, "0E");
+  if (line == "PP" || line == "VV" || line == "II") return answer_info(line);
+  if (asks_for_scans(line)) return answer_scan(line, now_s);
+  if (line == "%ST") return answer_state(line);
+  status(line, carry_out(line, now_s));
 }
 
 int EmulatedScip::range_mm(int step) const {

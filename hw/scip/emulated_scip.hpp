@@ -49,6 +49,8 @@ class EmulatedScip final : public ByteDevice {
   void answer_clock(const std::string& line, double now_s);
   void answer_info(const std::string& line);
   void answer_scan(const std::string& line, double now_s);
+  void answer_state(const std::string& line);
+  std::string carry_out(const std::string& line, double now_s);
   std::string check(const std::string& line, Request& request) const;
   void say(const std::string& text);
   void status(const std::string& echo, const std::string& code);

@@ -131,16 +131,22 @@ std::vector<std::string> ScipClient::ask(const std::string& command) {
   throw SensorFault(SensorFault::Kind::kTimeout, "no answer to " + command);
 }
 
+/// Asks for quiet, and where the sensor is not in SCIP 2's ordinary mode, asks it to go there.
+/// @returns whether it is quiet and there.
+bool ScipClient::quieten() {
+  const std::vector<std::string> reply = ask("QT");
+  const std::string status = scip_status(reply);
+  // SCIP 1.1 has one character without a sum; 0E comes while the clock is being set.
+  if (reply.size() > 1 && reply[1] == "E") ask("SCIP2.0");
+  if (status == "0E") ask("TM2");
+  return status == "00";
+}
+
 bool ScipClient::synchronise() {
   reader_.clear();
   for (int i = 0; i < kSyncTries; ++i) {
     try {
-      const std::vector<std::string> reply = ask("QT");
-      const std::string status = scip_status(reply);
-      if (status == "00") return true;
-      // SCIP 1.1 has one character without a sum; 0E comes while the clock is being set.
-      if (reply.size() > 1 && reply[1] == "E") ask("SCIP2.0");
-      if (status == "0E") ask("TM2");
+      if (quieten()) return true;
     } catch (const SensorFault& fault) {
       if (fault.kind() != SensorFault::Kind::kTimeout) throw;
       reader_.clear();

@@ -49,6 +49,8 @@ class ScipClient {
   void send(const std::string& command);
 
  private:
+  bool quieten();
+
   ByteLink& link_;
   double reply_s_;
   const StopSignal& stop_;
