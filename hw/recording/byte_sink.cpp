@@ -34,9 +34,11 @@ class GzipSink final : public ByteSink {
 
   void append(std::string_view bytes) override {
     num_held_ += bytes.size();
-    const bool flushes = num_held_ >= kMostHeld;
+    const bool flushes = ++num_pieces_held_ >= kMostPiecesHeld || num_held_ >= kMostHeld;
     deflate_all(bytes, flushes ? Z_SYNC_FLUSH : Z_NO_FLUSH);
-    if (flushes) num_held_ = 0;
+    if (!flushes) return;
+    num_held_ = 0;
+    num_pieces_held_ = 0;
   }
 
   void finish() override {
@@ -46,6 +48,7 @@ class GzipSink final : public ByteSink {
 
  private:
   static constexpr std::size_t kMostHeld = std::size_t{1} << 16;
+  static constexpr int kMostPiecesHeld = 8;
 
   void deflate_all(std::string_view bytes, int flush) {
     // zlib does not write through its input, but says so in its types only when asked to.
@@ -64,6 +67,7 @@ class GzipSink final : public ByteSink {
   z_stream zlib_ = {};
   std::array<Bytef, 1 << 16> output_ = {};
   std::size_t num_held_ = 0;
+  int num_pieces_held_ = 0;
 };
 
 }  // namespace

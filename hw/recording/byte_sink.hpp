@@ -61,7 +61,7 @@ class FileSink final : public ByteSink {
 };
 
 /// Packs what passes through as gzip; what was appended can be unpacked even if the end never comes.
-/// Small pieces are gathered to some 64 KiB before that is so, or compression would suffer.
+/// Up to seven pieces are held back before that is so, or compression would suffer.
 std::unique_ptr<ByteSink> pack_gzip(std::unique_ptr<ByteSink> packed);
 
 }  // namespace scanbed::hw

@@ -54,5 +54,19 @@ TEST(ByteSinkTest, PackedBytesUnpackAgain) {
   EXPECT_EQ(stream->end(), StreamEnd::kClean);
 }
 
+// Scans of a slow laser are small pieces, seconds apart: a killed recorder must not take many along.
+TEST(ByteSinkTest, PackedBytesAreThereBeforeTheEndButForAFewPieces) {
+  const TemporaryFolder folder;
+  const auto sink = pack_gzip(std::make_unique<FileSink>(folder / "x.gz"));
+  for (int i = 0; i < 39; ++i) sink->append(std::string(9, static_cast<char>('0' + i % 10)) + "\n");
+  const auto stream = unpack(from_memory(bytes_of(folder / "x.gz.part")));
+  std::string read(1000, '\0');
+  std::size_t num_read = 0;
+  while (const std::size_t more = stream->read(std::span(read).subspan(num_read))) num_read += more;
+  EXPECT_EQ(num_read, 320U);
+  EXPECT_EQ(read.substr(310, 10), "111111111\n");
+  EXPECT_EQ(stream->end(), StreamEnd::kCutOff);
+}
+
 }  // namespace
 }  // namespace scanbed::hw
