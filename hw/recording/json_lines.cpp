@@ -47,6 +47,7 @@ void write_scan(JsonText& json, const ScanRecord& record) {
     json.key("odometry");
     write_pose(json, *scan.X_OR);
   }
+  write_health(json, scan.health);
   json.key("ranges").begin_array();
   for (const double range_m : scan.range_m) write_range(json, range_m);
   json.end_array();
@@ -68,6 +69,7 @@ void read_scan(const JsonValue& json, RecordedScan& out) {
   scan.range_m.clear();
   for (const JsonValue& item : json.at("ranges").array("ranges")) scan.range_m.push_back(read_range(item));
   scan.geometry = read_geometry(json.at("geometry"), scan.num_beams());
+  scan.health = read_health(json);
   const JsonValue* const odometry = json.find("odometry");
   const JsonValue* const features = json.find("features");
   const JsonValue* const truth = json.find("truth");

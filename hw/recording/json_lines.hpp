@@ -21,8 +21,8 @@ namespace scanbed::hw {
 //   ...
 //   {"end":1}
 //
-// odometry, features and truth are left out where they are not known; their parts are those of scan_json.hpp.
-// A range is a number, or "inf" (no echo), "-inf" (too close) or "nan" (invalid).
+// odometry, features and truth are left out where they are not known, health where all is fine; their parts
+// are those of scan_json.hpp. A range is a number, or "inf" (no echo), "-inf" (too close) or "nan" (invalid).
 
 /// The first line begins with this.
 inline constexpr std::string_view kJsonLinesMagic = R"({"format":"scanbed.recording")";

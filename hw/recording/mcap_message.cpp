@@ -95,6 +95,7 @@ void read_beams(const JsonValue& json, LaserScan& scan) {
   scan.source = json.at("source").text("source");
   scan.geometry = read_geometry(json.at("geometry"), scan.num_beams());
   if (const JsonValue* const odometry = json.find("odometry")) scan.X_OR = read_pose(*odometry);
+  scan.health = read_health(json);
   mark_beams(json, "no_echo", kNoEcho, scan);
   mark_beams(json, "too_close", kTooClose, scan);
   mark_beams(json, "invalid", kInvalid, scan);
@@ -131,6 +132,7 @@ std::string encode_mcap_beams(const LaserScan& scan) {
     json.key("odometry");
     write_pose(json, *scan.X_OR);
   }
+  write_health(json, scan.health);
   write_beams(json, "no_echo", scan, [](double range_m) { return range_m == kNoEcho; });
   write_beams(json, "too_close", scan, [](double range_m) { return range_m == kTooClose; });
   write_beams(json, "invalid", scan, [](double range_m) { return std::isnan(range_m); });
@@ -166,6 +168,7 @@ void decode_mcap_scan(std::string_view scan_json, const McapSideMessages& side, 
   scan.time_s = read_time(json);
   scan.source.clear();
   scan.X_OR.reset();
+  scan.health = {};
   scan.range_m.clear();
   for (const JsonValue& item : json.at("ranges").array("ranges"))
     scan.range_m.push_back(item.number("a range"));

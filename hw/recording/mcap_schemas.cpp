@@ -26,8 +26,10 @@ constexpr std::string_view kBeams =
     R"(,"t_s":{"type":"number"},"source":{"type":"string"},"geometry":{"type":"object","properties":{)"
     R"("first_rad":{"type":"number"},"step_rad":{"type":"number"},"min_range_m":{"type":"number"},)"
     R"("max_range_m":{"type":"number"},"rotations":{"type":"integer"},"rotation_s":{"type":"number"},)"
-    R"("step_s":{"type":"number"}}},"odometry":)" SCANBED_NUMBERS R"(,"no_echo":)" SCANBED_INTEGERS
-    R"(,"too_close":)" SCANBED_INTEGERS R"(,"invalid":)" SCANBED_INTEGERS
+    R"("step_s":{"type":"number"}}},"odometry":)" SCANBED_NUMBERS
+    R"(,"health":{"type":"object","properties":{"severity":{"type":"integer"},"polluted":{"type":"integer"},)"
+    R"("implausible":{"type":"integer"}}},"no_echo":)" SCANBED_INTEGERS R"(,"too_close":)" SCANBED_INTEGERS
+    R"(,"invalid":)" SCANBED_INTEGERS
     R"(},"required":["timestamp","t_s","source","geometry","no_echo","too_close","invalid"]})";
 
 constexpr std::string_view kFeatures =

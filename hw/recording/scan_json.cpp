@@ -9,7 +9,6 @@
 
 #include "core/errors/input_error.hpp"
 #include "core/geometry/angles.hpp"
-#include "core/scan/laser_scan.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -199,6 +198,21 @@ Pose2 read_pose(const JsonValue& json) {
   const JsonValue::Array& items = json.array("a pose");
   if (items.size() != 3) throw InputError("a pose is not [x, y, theta]");
   return {{items[0].number("x"), items[1].number("y")}, wrap_to_pi(items[2].number("theta"))};
+}
+
+void write_health(JsonText& json, const SensorHealth& health) {
+  if (health == SensorHealth{}) return;
+  json.key("health").begin_object().key("severity").integer(health.severity);
+  json.key("polluted").integer(health.is_polluted ? 1 : 0);
+  json.key("implausible").integer(health.is_implausible ? 1 : 0).end_object();
+}
+
+SensorHealth read_health(const JsonValue& scan) {
+  const JsonValue* const json = scan.find("health");
+  if (json == nullptr) return {};
+  return {.severity = json->at("severity").integer("severity"),
+          .is_polluted = json->at("polluted").integer("polluted") != 0,
+          .is_implausible = json->at("implausible").integer("implausible") != 0};
 }
 
 void write_features(JsonText& json, const Features& features) {

@@ -3,6 +3,7 @@
 
 #include "core/detect/features.hpp"
 #include "core/geometry/pose2.hpp"
+#include "core/scan/laser_scan.hpp"
 #include "core/scan/scan_geometry.hpp"
 #include "core/scan/truth.hpp"
 #include "hw/recording/json_text.hpp"
@@ -24,6 +25,10 @@ void check_geometry(const ScanGeometry& geometry);
 /// [x_m, y_m, theta_rad]
 void write_pose(JsonText& json, const Pose2& pose);
 Pose2 read_pose(const JsonValue& json);
+
+/// Key "health" of a scan, {"severity": 2, "polluted": 1, "implausible": 0}; left out where all is fine.
+void write_health(JsonText& json, const SensorHealth& health);
+SensorHealth read_health(const JsonValue& scan);
 
 /// [{"type": "line", "first": 0, "last": 58, "left": [x, y], ...}, ...] with the keys that `scanbed detect`
 /// prints, but not rounded; slope and bias are left out for a line along y. Lines, then circles, then legs.

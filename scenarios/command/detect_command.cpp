@@ -82,7 +82,8 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
       throw InputError("--set " + settings[0].path + ": a device has no scenario; " +
                        "allowed: the detector's parameters, see 'scanbed detect --help'");
     }
-    return {std::make_unique<LiveSensor>(open_device(spec), LiveOptions{.is_interrupted = is_interrupted}),
+    return {std::make_unique<LiveSensor>(open_device(spec),
+                                         LiveOptions{.is_interrupted = is_interrupted, .warn = log_warning}),
             nullptr, std::nullopt};
   }
   if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");

@@ -74,7 +74,8 @@ RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario
   const double num_scans = std::ceil(scenario.duration_s / scenario.lms.scan_period_s - 1e-9);
   LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
                                                  .is_interrupted = is_interrupted,
-                                                 .truth = command.truth});
+                                                 .truth = command.truth,
+                                                 .warn = log_warning});
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/run/live_sensor.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/errors/sensor_fault.hpp"
@@ -12,7 +14,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr RangeSensor::Seconds kStep{0.1};
 
+constexpr std::array<const char*, 5> kSeverities = {"no trouble", "a note", "a warning", "an error",
+                                                    "a fatal error"};
+
 }  // namespace
+
+std::string describe(const SensorHealth& health) {
+  const int severity = std::clamp(health.severity, 0, static_cast<int>(kSeverities.size()) - 1);
+  std::string text = std::string("the laser reports ") + kSeverities.at(static_cast<std::size_t>(severity));
+  if (health.is_polluted) text += ": its window is dirty";
+  if (health.is_implausible)
+    text += std::string(health.is_polluted ? " and" : ":") + " its values are doubtful";
+  return text;
+}
 
 LiveSensor::LiveSensor(std::unique_ptr<RangeSensor> device, const LiveOptions& options)
     : device_(std::move(device)), options_(options) {
@@ -36,10 +50,17 @@ bool LiveSensor::wait_for_scan(LaserScan& scan) {
   return false;
 }
 
+void LiveSensor::watch(const SensorHealth& health) {
+  if (health == health_) return;
+  health_ = health;
+  if (options_.warn) options_.warn(describe(health));
+}
+
 bool LiveSensor::next(LaserScan& scan, Seconds /*timeout*/) {
   if (options_.limit && num_scans_ >= *options_.limit) return false;
   if (!wait_for_scan(scan)) return false;
   ++num_scans_;
+  watch(scan.health);
   truth_ = reader_ ? reader_->find(scan.range_m) : device_->truth();
   return true;
 }

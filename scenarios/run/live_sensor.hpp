@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/scan/range_sensor.hpp"
 #include "scenarios/run/truth_file.hpp"
@@ -17,7 +18,12 @@ struct LiveOptions {
   std::optional<std::int64_t> limit;  ///< scans after which the stream ends
   std::function<bool()> is_interrupted;        ///< asked ten times a second; true ends the stream
   std::optional<std::filesystem::path> truth;  ///< where truth of the scans is found
+  /// Told in one line when what the device says of its own state changes; may be empty.
+  std::function<void(const std::string&)> warn;
 };
+
+/// "the laser reports a warning: its window is dirty", "the laser reports no trouble".
+std::string describe(const SensorHealth& health);
 
 /// A device as an end to a stream: waits for it in small steps, so that the user can break it off, ends after
 /// as many scans as are wanted, and joins scans with truth that came another way.
@@ -36,11 +42,13 @@ class LiveSensor final : public RangeSensor {
 
  private:
   bool wait_for_scan(LaserScan& scan);
+  void watch(const SensorHealth& health);
 
   std::unique_ptr<RangeSensor> device_;
   LiveOptions options_;
   std::optional<TruthReader> reader_;
   const Truth* truth_ = nullptr;
+  SensorHealth health_;
   std::int64_t num_scans_ = 0;
 };
 

@@ -138,6 +138,16 @@ TEST(OpenRecordingTest, OneSourceAloneCanBeRead) {
   }
 }
 
+TEST(OpenRecordingTest, WhatTheSensorSaysOfItselfComesBackWhereTheFormatHasIt) {
+  std::vector<LaserScan> scans = made_scans(3);
+  scans[1].health = {.severity = 2, .is_polluted = true};
+  for (const char* name : {"x.jsonl", "x.mcap"}) {
+    const Reading reading = read_all(recorded(name, scans), name);
+    ASSERT_EQ(reading.scans.size(), 3U) << name << ": " << reading.error;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(reading.scans[i].health, scans[i].health) << name << i;
+  }
+}
+
 TEST(OpenRecordingTest, MetadataComesBackWhereTheFormatHasIt) {
   const RecordingMetadata metadata = {{"seed", "7"}, {"configuration", "a: \"b\"\nc: {}\n"}};
   for (const char* name : {"x.jsonl", "x.mcap", "x.player"}) {

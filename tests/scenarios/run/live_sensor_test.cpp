@@ -13,10 +13,12 @@ namespace {
 class SlowDevice final : public RangeSensor {
  public:
   explicit SlowDevice(int num_timeouts) : num_timeouts_(num_timeouts) {}
+  std::vector<SensorHealth> health;  // of the first scans
   const ScanGeometry& geometry() const override { return geometry_; }
   bool next(LaserScan& scan, Seconds /*timeout*/) override {
     if (num_left_-- > 0) throw SensorFault(SensorFault::Kind::kTimeout, "not yet");
     num_left_ = num_timeouts_;
+    scan.health = num_scans_ < static_cast<int>(health.size()) ? health[num_scans_] : SensorHealth{};
     scan.range_m = {static_cast<double>(num_scans_++)};
     return true;
   }
@@ -71,6 +73,21 @@ TEST(LiveSensorTest, EndsWhereTheUserWantsItTo) {
   LiveSensor sensor(std::make_unique<SlowDevice>(1000), {.is_interrupted = [] { return true; }});
   LaserScan scan;
   EXPECT_FALSE(sensor.next(scan, {}));
+}
+
+TEST(LiveSensorTest, TellsOnceWhatTheDeviceSaysOfItsState) {
+  auto device = std::make_unique<SlowDevice>(0);
+  const SensorHealth dirty{.severity = 2, .is_polluted = true};
+  const SensorHealth doubtful{.severity = 3, .is_polluted = true, .is_implausible = true};
+  device->health = {{}, dirty, dirty, doubtful, {}};
+  std::vector<std::string> told;
+  LiveSensor sensor(std::move(device), {.warn = [&](const std::string& line) { told.push_back(line); }});
+  LaserScan scan;
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(told, (std::vector<std::string>{
+                      "the laser reports a warning: its window is dirty",
+                      "the laser reports an error: its window is dirty and its values are doubtful",
+                      "the laser reports no trouble"}));
 }
 
 TEST(LiveSensorTest, JoinsScansWithTheirTruth) {
