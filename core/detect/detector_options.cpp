@@ -55,6 +55,7 @@ void DetectorOptions::validate() const {
   circle.validate();
   line.validate();
   leg.validate();
+  surface.validate();
 }
 
 }  // namespace scanbed

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/detect/robust/surface_options.hpp"
 #include "core/geometry/angles.hpp"
 
 namespace scanbed {
@@ -64,14 +65,15 @@ enum class Pipeline {
   kRobust,  ///< surfaces by a gap that follows the sensor, lines and arcs compared by chi squared
 };
 
-/// All options of the detection pipeline: segmentation, circles, lines, legs. The robust pipeline takes from
-/// circle and line whether they are on; legs are found by the paper's rules in both.
+/// All options of the detection pipeline. The robust pipeline takes from circle and line whether they are on,
+/// how many points and which length they need; legs are found by the paper's rules in both.
 struct DetectorOptions {
   Pipeline pipeline = Pipeline::kPaper;
   SegmentationOptions segmentation;
   CircleOptions circle;
   LineOptions line;
   LegOptions leg;
+  SurfaceOptions surface;  ///< of the robust pipeline
   void validate() const;
 };
 
@@ -82,7 +84,11 @@ inline DetectorOptions paper_options() {
 
 /// Ours, by SurfaceParser: better than the paper's on circles and lines.
 inline DetectorOptions robust_options() {
-  return {.pipeline = Pipeline::kRobust};
+  DetectorOptions options{.pipeline = Pipeline::kRobust};
+  options.circle.min_points = 5;
+  options.circle.min_length_m = 0.0;
+  options.line.min_length_m = 0.2;
+  return options;
 }
 
 }  // namespace scanbed

@@ -20,6 +20,11 @@ const DetectorOptions& validated(const DetectorOptions& options) {
 FeatureDetector::FeatureDetector(const DetectorOptions& options)
     : options_(validated(options)), line_detector_(options.line) {}
 
+void FeatureDetector::set_options(const DetectorOptions& options) {
+  options_ = validated(options);
+  line_detector_.set_options(options.line);
+}
+
 const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
   projector_.project(scan, points_);
@@ -35,8 +40,8 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
 }
 
 void FeatureDetector::detect_surfaces(const LaserScan& scan) {
-  echo_reader_.read(scan, echoes_);
-  surface_parser_.parse(echoes_, scan, features_);
+  echo_reader_.read(scan, options_.surface, echoes_);
+  surface_parser_.parse(echoes_, scan, options_, features_);
   if (options_.line.method == LineMethod::kOff) features_.lines.clear();
   if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
   const auto rising = [](const auto& a, const auto& b) { return a.beams.first < b.beams.first; };

@@ -25,6 +25,9 @@ class FeatureDetector {
 
   const DetectorOptions& options() const { return options_; }
 
+  /// Takes effect from the next scan on. @throws InputError where the options do not validate.
+  void set_options(const DetectorOptions& options);
+
   /// Features of one scan, in its sensor frame; valid until the next call. Beams without echo belong to no
   /// feature. Any number of beams and any range values are fine.
   const Features& detect(const LaserScan& scan);

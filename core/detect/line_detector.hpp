@@ -23,6 +23,8 @@ class LineDetector {
  public:
   explicit LineDetector(const LineOptions& options) : options_(options) {}
 
+  void set_options(const LineOptions& options) { options_ = options; }
+
   /// Appends the lines of `segment` to `lines`, in rising order of their beams.
   void detect(const Points& points, const Segment& segment, std::vector<Line>& lines);
 

@@ -8,22 +8,21 @@ namespace scanbed {
 namespace {
 
 constexpr double kDefaultNoise_m = 0.006;
-constexpr double kMinNoise_m = 0.003;
-constexpr double kMaxNoise_m = 0.03;
-// Recorded noise has heavier tails than a Gaussian of the same width.
-constexpr double kInflation = 1.25;
 constexpr double kSmoothStep_m = 0.12;  // a third difference across larger steps is an edge, not noise
 constexpr int kMinDifferences = 12;
 constexpr double kGrazingRatio = 0.35;  // error of range per step to the neighbour
 constexpr double kGrazingStep_m = 0.05;
 
-double noise_of(std::vector<double>& differences_m) {
-  if (differences_m.size() < kMinDifferences) return kDefaultNoise_m;
+double noise_of(std::vector<double>& differences_m, const SurfaceOptions& options) {
+  const auto within = [&](double noise_m) {
+    return std::clamp(noise_m, options.min_noise_m, options.max_noise_m);
+  };
+  if (differences_m.size() < kMinDifferences) return within(kDefaultNoise_m);
   // The median of |x| is 0.6745 sigma; it is blind to the edges that the test for smoothness let through.
   const auto middle = differences_m.begin() + static_cast<std::ptrdiff_t>(differences_m.size() / 2);
   std::nth_element(differences_m.begin(), middle, differences_m.end());
   const double sigma_m = *middle / 0.6745 / std::sqrt(20.0);
-  return std::clamp(kInflation * sigma_m, kMinNoise_m, kMaxNoise_m);
+  return within(options.noise_inflation * sigma_m);
 }
 
 // Least step to the neighbours where both steps have one sign and are large, else 0.
@@ -49,7 +48,7 @@ void EchoReader::tabulate(const ScanGeometry& geometry, int num_beams) {
   }
 }
 
-void EchoReader::read(const LaserScan& scan, Echoes& echoes) {
+void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
   const int num_beams = scan.num_beams();
   const ScanGeometry& g = scan.geometry;
   if (static_cast<int>(cos_.size()) != num_beams || g.first_rad != geometry_.first_rad ||
@@ -77,7 +76,7 @@ void EchoReader::read(const LaserScan& scan, Echoes& echoes) {
     if (echoes.beam[k] - echoes.beam[k - 3] != 3 || spread_m > kSmoothStep_m) continue;
     differences_.push_back(std::abs(r[k] - 3.0 * r[k - 1] + 3.0 * r[k - 2] - r[k - 3]));
   }
-  echoes.range_noise_m = noise_of(differences_);
+  echoes.range_noise_m = noise_of(differences_, options);
   echoes.sigma_m.resize(r.size());
   for (int k = 0; k < echoes.size(); ++k) {
     echoes.sigma_m[k] = std::hypot(echoes.range_noise_m, kGrazingRatio * grazing_step_m(echoes, k));

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/detect/robust/surface_options.hpp"
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
@@ -29,7 +30,7 @@ struct Echoes {
 /// @par Source  Noise: rms of third differences / sqrt(20) for white noise (1, 3, 3, 1 squared and summed).
 class EchoReader {
  public:
-  void read(const LaserScan& scan, Echoes& echoes);
+  void read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes);
 
  private:
   void tabulate(const ScanGeometry& geometry, int num_beams);

@@ -7,14 +7,6 @@
 namespace scanbed {
 namespace {
 
-constexpr double kLinePrice = 14.0;
-constexpr double kArcPrice = 18.0;
-constexpr double kClutterPrice = 9.0;
-constexpr double kHiddenEndPrice = 3.0;
-constexpr double kAttachedEndPrice = 12.0;
-constexpr double kShallowArcPrice = 25.0;  // under 60 degrees with an end that is not free
-constexpr double kUnsureArcPrice = 6.0;    // an end that is not free: what stands free is a column
-constexpr double kShallowArc_rad = radians(60.0);
 constexpr int kMaxPiecesOfArc = 9;
 constexpr double kMinBulgeRatio = 0.03;
 constexpr int kMaxMixedBeams = 2;
@@ -26,24 +18,16 @@ constexpr double kFarther_m = 0.15;
 constexpr double kSameSurface_m = 0.03;
 // Below this a line runs along y so nearly that its slope says nothing.
 constexpr double kMinCosine = 1e-6;
-constexpr int kMinArcEchoes = 5;
-constexpr double kMinRadius_m = 0.03;
-constexpr double kMaxRadius_m = 1.2;
-constexpr double kMaxChi2PerEcho = 2.5;
 constexpr double kTrimResidual = 3.0;
-constexpr int kMinLineEchoes = 5;
-constexpr double kMinLineLength_m = 0.2;
-
-double max_chi2(int num_echoes) {
-  return kMaxChi2PerEcho * num_echoes + 6.0;
-}
 
 }  // namespace
 
-void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, Features& features) {
+void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, const DetectorOptions& options,
+                          Features& features) {
   echoes_ = &echoes;
   scan_ = &scan;
-  splitter_.split(echoes, runs_);
+  options_ = &options;
+  splitter_.split(echoes, options.surface, runs_);
   sums_.build(echoes, runs_.order);
   for (int i = 0; i < runs_.num_runs(); ++i) {
     const int first = runs_.begin[i];
@@ -53,6 +37,10 @@ void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, Features&
     for (const Arc& arc : arcs_) report_arc(arc, features);
     report_lines(features);
   }
+}
+
+double SurfaceParser::max_chi2(int num_echoes) const {
+  return options_->surface.max_chi2_per_point * num_echoes + 6.0;
 }
 
 void SurfaceParser::parse_surface(const Surface& surface) {
@@ -65,9 +53,10 @@ void SurfaceParser::parse_surface(const Surface& surface) {
 
 SurfaceParser::Piece SurfaceParser::piece_of(int first, int last) const {
   Piece piece{first, last, {}, 0.0, false};
-  const double as_clutter = kClutterPrice * piece.num_echoes();
+  const double as_clutter = options_->surface.clutter_price * piece.num_echoes();
   if (last > first) piece.line = sums_.fit(first, last);
-  piece.cost = last > first ? std::min(as_clutter, kLinePrice + piece.line.chi2) : as_clutter;
+  piece.cost =
+      last > first ? std::min(as_clutter, options_->surface.line_price + piece.line.chi2) : as_clutter;
   return piece;
 }
 
@@ -161,19 +150,20 @@ bool SurfaceParser::fit_between_ends(Arc& arc, const Surface& surface) const {
   const End ends[2] = {end_at(arc.first, -1, surface), end_at(arc.last, 1, surface)};
   Witness witnesses[2];
   std::size_t num_witnesses = 0;
-  arc.price = kArcPrice;
+  arc.price = options_->surface.arc_price;
   for (const End& end : ends) {
     if (end.kind == EndKind::kFree) witnesses[num_witnesses++] = end.witness;
-    if (end.kind == EndKind::kHidden) arc.price += kHiddenEndPrice;
-    if (end.kind == EndKind::kAttached) arc.price += kAttachedEndPrice;
+    if (end.kind == EndKind::kHidden) arc.price += options_->surface.hidden_end_price;
+    if (end.kind == EndKind::kAttached) arc.price += options_->surface.attached_end_price;
   }
   const auto members = std::span<const int>(runs_.order).subspan(arc.first, arc.last - arc.first + 1);
   const auto fit = fit_arc(*echoes_, members, {witnesses, num_witnesses});
   if (!fit) return false;
   arc.fit = *fit;
   const bool all_free = num_witnesses == 2;
-  if (!all_free) arc.price += kUnsureArcPrice;
-  if (!all_free && arc_in_view_rad(arc) < kShallowArc_rad) arc.price += kShallowArcPrice;
+  if (!all_free) arc.price += options_->surface.unsure_arc_price;
+  if (!all_free && arc_in_view_rad(arc) < options_->surface.shallow_arc_rad)
+    arc.price += options_->surface.shallow_arc_price;
   return true;
 }
 
@@ -190,8 +180,8 @@ bool SurfaceParser::drop_mixed_ends(Arc& arc) const {
     return std::abs(arc.fit.residual(*echoes_, runs_.order[place])) > kTrimResidual;
   };
   const int before = arc.last - arc.first;
-  while (arc.last - arc.first >= kMinArcEchoes && is_off(arc.first)) ++arc.first;
-  while (arc.last - arc.first >= kMinArcEchoes && is_off(arc.last)) --arc.last;
+  while (arc.last - arc.first >= options_->circle.min_points && is_off(arc.first)) ++arc.first;
+  while (arc.last - arc.first >= options_->circle.min_points && is_off(arc.last)) --arc.last;
   return arc.last - arc.first < before;
 }
 
@@ -221,11 +211,13 @@ std::optional<SurfaceParser::Arc> SurfaceParser::try_arc(int first_piece, int la
   arc.first = pieces_[first_piece].first;
   arc.last = pieces_[last_piece].last;
   const int num_echoes = arc.last - arc.first + 1;
-  if (num_echoes < kMinArcEchoes || !bulges(arc) || !fit_trimmed(arc, surface)) return std::nullopt;
-  if (arc.fit.radius_m < kMinRadius_m || arc.fit.radius_m > kMaxRadius_m) return std::nullopt;
+  if (num_echoes < options_->circle.min_points || !bulges(arc) || !fit_trimmed(arc, surface))
+    return std::nullopt;
+  if (arc.fit.radius_m < options_->surface.min_radius_m || arc.fit.radius_m > options_->surface.max_radius_m)
+    return std::nullopt;
   const int num_kept = arc.last - arc.first + 1;
   if (arc.fit.chi2 > max_chi2(num_kept)) return std::nullopt;
-  arc.gain = -arc.fit.chi2 - arc.price - kClutterPrice * (num_echoes - num_kept);
+  arc.gain = -arc.fit.chi2 - arc.price - options_->surface.clutter_price * (num_echoes - num_kept);
   for (int i = first_piece; i <= last_piece; ++i) arc.gain += pieces_[i].cost;
   if (arc.gain <= 0.0) return std::nullopt;
   return arc;
@@ -251,10 +243,10 @@ void SurfaceParser::find_arcs(const Surface& surface) {
 
 void SurfaceParser::report_lines(Features& features) const {
   for (const Piece& piece : pieces_) {
-    if (piece.is_taken || piece.num_echoes() < kMinLineEchoes) continue;
+    if (piece.is_taken || piece.num_echoes() < options_->line.min_points) continue;
     if (piece.line.chi2 > max_chi2(piece.num_echoes())) continue;
     const Line line = line_of(piece);
-    if ((line.right_m - line.left_m).norm() >= kMinLineLength_m) features.lines.push_back(line);
+    if ((line.right_m - line.left_m).norm() >= options_->line.min_length_m) features.lines.push_back(line);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/detect/detector_options.hpp"
 #include "core/detect/features.hpp"
 #include "core/detect/robust/arc_fit.hpp"
 #include "core/detect/robust/echoes.hpp"
@@ -16,12 +17,11 @@ namespace scanbed {
 /// Explains each surface of a scan by straight pieces and arcs: splits it into lines, merges what one line
 /// explains, and takes neighbouring pieces for an arc where that explains them at less cost.
 ///
-/// Models are compared by chi squared in units of range noise plus a price per piece: a line costs 14, an arc
-/// 18, an echo given up as clutter 9.
+/// Models are compared by chi squared in units of range noise plus a price per piece (SurfaceOptions).
 class SurfaceParser {
  public:
   /// Appends the lines and circles of all surfaces, unsorted.
-  void parse(const Echoes& echoes, const LaserScan& scan, Features& features);
+  void parse(const Echoes& echoes, const LaserScan& scan, const DetectorOptions& options, Features& features);
 
  private:
   /// Places [first, last] of the order, explained by a line.
@@ -79,8 +79,11 @@ class SurfaceParser {
   Line line_of(const Piece& piece) const;
   void report_arc(const Arc& arc, Features& features) const;
 
+  double max_chi2(int num_echoes) const;
+
   const Echoes* echoes_ = nullptr;
   const LaserScan* scan_ = nullptr;
+  const DetectorOptions* options_ = nullptr;
   SurfaceSplitter splitter_;
   SurfaceRuns runs_;
   RayLineSums sums_;

@@ -19,15 +19,15 @@ struct SurfaceRuns {
 /// Cuts a scan into surfaces with a bound that follows the sensor.
 ///
 /// The bound on the distance of neighbours grows with range, noise and the beams missing in between; where a
-/// wall is seen at grazing incidence, steps may grow as they did before. Up to three nearer or missing beams
+/// wall is seen at grazing incidence, steps may grow as they did before. A few nearer or missing beams
 /// do not cut what agrees on both sides of them: such a speck becomes a surface of its own.
 class SurfaceSplitter {
  public:
-  void split(const Echoes& echoes, SurfaceRuns& runs);
+  void split(const Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs);
 
  private:
-  void find_stretches(const Echoes& echoes);
-  int continuation_of(const Echoes& echoes, int stretch) const;
+  void find_stretches(const Echoes& echoes, const SurfaceOptions& options);
+  int continuation_of(const Echoes& echoes, const SurfaceOptions& options, int stretch) const;
 
   std::vector<int> starts_;  ///< of stretches without a jump, and the end of the last
   std::vector<char> taken_;  ///< stretches that belong to a surface already

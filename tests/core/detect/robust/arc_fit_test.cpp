@@ -15,7 +15,7 @@ using testing::with_noise;
 
 std::optional<ArcFit> fit_all(const LaserScan& scan, std::span<const Witness> witnesses = {}) {
   Echoes echoes;
-  EchoReader().read(scan, echoes);
+  EchoReader().read(scan, {}, echoes);
   std::vector<int> members(echoes.size());
   std::iota(members.begin(), members.end(), 0);
   return fit_arc(echoes, members, witnesses);

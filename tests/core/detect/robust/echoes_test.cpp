@@ -13,7 +13,7 @@ using testing::with_noise;
 
 Echoes echoes_of(const LaserScan& scan) {
   Echoes echoes;
-  EchoReader().read(scan, echoes);
+  EchoReader().read(scan, {}, echoes);
   return echoes;
 }
 

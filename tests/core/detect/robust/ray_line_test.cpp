@@ -20,7 +20,7 @@ struct Fitted {
 
 Fitted fit_all(const LaserScan& scan) {
   Fitted fitted;
-  EchoReader().read(scan, fitted.echoes);
+  EchoReader().read(scan, {}, fitted.echoes);
   std::vector<int> order(fitted.echoes.size());
   std::iota(order.begin(), order.end(), 0);
   RayLineSums sums;

@@ -15,9 +15,9 @@ using testing::IdealScene;
 
 SurfaceRuns runs_of(const LaserScan& scan) {
   Echoes echoes;
-  EchoReader().read(scan, echoes);
+  EchoReader().read(scan, {}, echoes);
   SurfaceRuns runs;
-  SurfaceSplitter().split(echoes, runs);
+  SurfaceSplitter().split(echoes, {}, runs);
   return runs;
 }
 
@@ -62,9 +62,9 @@ RC_GTEST_PROP(SurfaceRunsTest, EveryEchoLiesOnOneSurfaceAndBeamsRise,
   LaserScan scan;
   for (const auto range_cm : ranges_cm) scan.range_m.push_back((range_cm % 300) / 100.0);
   Echoes echoes;
-  EchoReader().read(scan, echoes);
+  EchoReader().read(scan, {}, echoes);
   SurfaceRuns runs;
-  SurfaceSplitter().split(echoes, runs);
+  SurfaceSplitter().split(echoes, {}, runs);
   std::vector<int> seen = runs.order;
   for (int i = 0; i < runs.num_runs(); ++i) {
     RC_ASSERT(std::is_sorted(runs.order.begin() + runs.begin[i], runs.order.begin() + runs.begin[i + 1]));

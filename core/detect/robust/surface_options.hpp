@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/angles.hpp"
+
+namespace scanbed {
+
+/// How the preset `robust` cuts a scan into surfaces, and at what prices it explains them by lines and arcs.
+///
+/// A piece is worth its price where it saves as much chi squared (in units of range noise) against what else
+/// would explain its points.
+struct SurfaceOptions {
+  double min_gap_m = 0.05;           ///< neighbours nearer than this plus 3 sigma lie on one surface ...
+  double gap_spacings = 1.7;         ///< ... widened by so many spacings of beams at their range
+  double max_grazing_step_m = 0.75;  ///< between beams of a wall seen at grazing incidence
+  int max_speck_beams = 3;           ///< so many nearer or missing beams do not cut a surface
+  double min_noise_m = 0.003;        ///< of the sigma of ranges that is estimated from each scan
+  double max_noise_m = 0.03;
+  double noise_inflation = 1.25;  ///< recorded noise has heavier tails than a Gaussian of the same width
+  double line_price = 14.0;
+  double arc_price = 18.0;
+  double clutter_price = 9.0;        ///< of a point that is given up
+  double hidden_end_price = 3.0;     ///< of an arc's end at something nearer, or at the edge of view
+  double attached_end_price = 12.0;  ///< of an arc's end where its surface goes on
+  double unsure_arc_price = 6.0;     ///< of an arc with an end that is not free
+  double shallow_arc_price = 25.0;   ///< of an arc with an end that is not free and little of it in view
+  double shallow_arc_rad = radians(60.0);
+  double max_chi2_per_point = 2.5;  ///< pieces that fit worse are not reported
+  double min_radius_m = 0.03;       ///< thinner arcs are no circles
+  double max_radius_m = 1.2;        ///< thicker ones neither
+  void validate() const;            ///< @throws InputError naming the first field out of range
+};
+
+}  // namespace scanbed
