@@ -28,21 +28,35 @@ void RayLineSums::build(const Echoes& echoes, const std::vector<int>& order) {
   }
 }
 
-RayLine RayLineSums::fit(int first, int last) const {
+RayLineSums::Sums RayLineSums::between(int first, int last) const {
   const Sums& a = sums_[first];
   const Sums& b = sums_[last + 1];
-  const double cc = b.cc - a.cc;
-  const double cs = b.cs - a.cs;
-  const double ss = b.ss - a.ss;
-  const double cy = b.cy - a.cy;
-  const double sy = b.sy - a.sy;
-  const double yy = b.yy - a.yy;
-  const double determinant = cc * ss - cs * cs;
+  return {b.cc - a.cc, b.cs - a.cs, b.ss - a.ss, b.cy - a.cy, b.sy - a.sy, b.yy - a.yy};
+}
+
+RayLine RayLineSums::solve(const Sums& s) {
+  const double determinant = s.cc * s.ss - s.cs * s.cs;
   if (determinant <= 0.0) return {};
   RayLine line;
-  line.inverse_m = Eigen::Vector2d(ss * cy - cs * sy, cc * sy - cs * cy) / determinant;
-  line.chi2 = std::max(0.0, yy - line.inverse_m.x() * cy - line.inverse_m.y() * sy);
+  line.inverse_m = Eigen::Vector2d(s.ss * s.cy - s.cs * s.sy, s.cc * s.sy - s.cs * s.cy) / determinant;
+  line.chi2 = std::max(0.0, s.yy - line.inverse_m.x() * s.cy - line.inverse_m.y() * s.sy);
   return line;
+}
+
+RayLine RayLineSums::fit(int first, int last) const {
+  return solve(between(first, last));
+}
+
+RayLine RayLineSums::fit_both(Stretch a, Stretch b) const {
+  Sums sums = between(a.first, a.last);
+  const Sums other = between(b.first, b.last);
+  sums.cc += other.cc;
+  sums.cs += other.cs;
+  sums.ss += other.ss;
+  sums.cy += other.cy;
+  sums.sy += other.sy;
+  sums.yy += other.yy;
+  return solve(sums);
 }
 
 }  // namespace scanbed

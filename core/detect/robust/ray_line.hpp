@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
+#include "core/detect/robust/surface_runs.hpp"
 
 namespace scanbed {
 
@@ -23,10 +24,16 @@ class RayLineSums {
   /// Weighted least squares over places [first, last] of the order. @pre last > first.
   RayLine fit(int first, int last) const;
 
+  /// One line through both.
+  RayLine fit_both(Stretch a, Stretch b) const;
+
  private:
   struct Sums {
     double cc = 0, cs = 0, ss = 0, cy = 0, sy = 0, yy = 0;
   };
+  Sums between(int first, int last) const;
+  static RayLine solve(const Sums& sums);
+
   std::vector<Sums> sums_;
 };
 

@@ -28,7 +28,10 @@ struct SurfaceOptions {
   double max_chi2_per_point = 2.5;  ///< pieces that fit worse are not reported
   double min_radius_m = 0.03;       ///< thinner arcs are no circles
   double max_radius_m = 1.2;        ///< thicker ones neither
-  void validate() const;            ///< @throws InputError naming the first field out of range
+
+  /// Chi squared that so many points of a good piece do not exceed.
+  double max_chi2(int num_points) const { return max_chi2_per_point * num_points + 6.0; }
+  void validate() const;  ///< @throws InputError naming the first field out of range
 };
 
 }  // namespace scanbed

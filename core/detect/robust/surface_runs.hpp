@@ -7,6 +7,14 @@
 
 namespace scanbed {
 
+/// Some consecutive places of SurfaceRuns::order, both ends included.
+struct Stretch {
+  int first = 0;
+  int last = 0;
+
+  int size() const { return last - first + 1; }
+};
+
 /// Echoes sorted by the surface on which they probably lie.
 struct SurfaceRuns {
   std::vector<int> order;  ///< indices into Echoes; each occurs once
@@ -14,6 +22,7 @@ struct SurfaceRuns {
       begin;  ///< surface i is order[begin[i]] to order[begin[i + 1] - 1], in rising order of beams
 
   int num_runs() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
+  Stretch run(int i) const { return {begin[i], begin[i + 1] - 1}; }
 };
 
 /// Cuts a scan into surfaces with a bound that follows the sensor.

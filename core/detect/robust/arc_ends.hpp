@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/detect/robust/arc_fit.hpp"
+#include "core/detect/robust/echoes.hpp"
+#include "core/detect/robust/surface_runs.hpp"
+#include "core/scan/laser_scan.hpp"
+
+namespace scanbed {
+
+/// What the beams beyond an end of an arc meet.
+enum class ArcEndKind {
+  kFree,      ///< the next beam passes by and sees farther
+  kHidden,    ///< something nearer, or the edge of view, may hide the rest
+  kAttached,  ///< the surface goes on
+};
+
+struct ArcEnd {
+  ArcEndKind kind = ArcEndKind::kHidden;
+  Witness witness;  ///< of a free end
+};
+
+/// Looks beyond the end of an arc; up to two beams there may have met both the arc and its background.
+///
+/// @param place      of the end in `order`, which lists the surface's echoes in [surface.first,
+/// surface.last].
+/// @param direction  -1 towards lower beams, 1 towards higher ones.
+ArcEnd arc_end_at(const LaserScan& scan, const Echoes& echoes, const std::vector<int>& order, Stretch surface,
+                  int place, int direction);
+
+}  // namespace scanbed

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/detect/robust/echoes.hpp"
+#include "core/detect/robust/ray_line.hpp"
+#include "core/detect/robust/surface_options.hpp"
+#include "core/detect/robust/surface_runs.hpp"
+
+namespace scanbed {
+
+/// Part of a surface, explained by a line, or given up where that is cheaper.
+struct LinePiece {
+  Stretch places;
+  RayLine line;
+  double cost = 0.0;      ///< chi squared and price
+  bool is_taken = false;  ///< explained by an arc instead
+};
+
+/// Explains surfaces by straight pieces: splits where two lines fit best, then merges what one line explains
+/// at less cost.
+class LineSplitter {
+ public:
+  /// Appends the pieces of one surface, in rising order. The arguments are read during the call alone.
+  void split(const Echoes& echoes, const std::vector<int>& order, const RayLineSums& sums, Stretch surface,
+             const SurfaceOptions& options, std::vector<LinePiece>& pieces);
+
+ private:
+  void split_down(Stretch surface, std::vector<LinePiece>& pieces);
+  void merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const;
+  LinePiece piece_of(Stretch places) const;
+  int best_split(Stretch places) const;
+  int climb_to_best_split(Stretch places, int split) const;
+
+  const Echoes* echoes_ = nullptr;
+  const std::vector<int>* order_ = nullptr;
+  const RayLineSums* sums_ = nullptr;
+  const SurfaceOptions* options_ = nullptr;
+  std::vector<Stretch> pending_;
+};
+
+}  // namespace scanbed
