@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scanbed {
 namespace {
@@ -26,6 +27,18 @@ double arc_in_view_rad(const SurfacedScan& scan, const Arc& arc) {
     return bearing_from_center_rad(scan.echoes.point_m(scan.order[place]), arc.fit);
   };
   return std::abs(wrap_to_pi(at_rad(arc.parts[0].first) - at_rad(arc.last_part().last)));
+}
+
+// What lines would cost on a perfect arc, less what the arc itself costs: how much a true arc gains on
+// average. An arc of sagitta s has a mean squared deviation of (4/45) s^2 from its line; k lines see sagittas
+// of s / k^2.
+double expected_gain(const SurfacedScan& scan, const Arc& arc, const SurfaceOptions& options) {
+  const double sagitta_m = arc.fit.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(scan, arc)));
+  const double sigmas = sagitta_m / scan.echoes.range_noise_m;
+  const double as_line = 4.0 / 45.0 * sigmas * sigmas * arc.num_echoes();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 1; k <= 4; ++k) least = std::min(least, k * options.line_price + as_line / (k * k * k * k));
+  return std::max(0.0, least - arc.price);
 }
 
 }  // namespace
@@ -138,6 +151,7 @@ bool ArcFinder::fit_between_ends(const SurfacedScan& scan, Stretch surface, Arc&
   const bool is_free = num_witnesses == 2;
   arc.doubt = is_free ? 0.0 : o.unsure_arc_price;
   if (!is_free && arc_in_view_rad(scan, arc) < o.shallow_arc_rad) arc.doubt += o.shallow_arc_price;
+  arc.doubt = std::max(arc.doubt, std::min(o.doubt_ratio * (expected_gain(scan, arc, o) - o.doubt_start), o.max_doubt));
   return true;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMaxSteps = 6;
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMaxRadius_m = 3.0;
-constexpr double kMinSlant = 0.25;
+constexpr double kMinSlant = 0.6;
 // A silhouette lies between two beams: where exactly is uncertain by about this share of their spacing.
 constexpr double kSilhouetteSpacings = 0.3;
 
