@@ -14,6 +14,7 @@ constexpr int kMaxTrimmed = 4;  // of a part
 constexpr int kMaxTrimRounds = 3;
 constexpr double kTrimResidual = 3.0;
 constexpr int kMinPartEchoes = 2;
+constexpr double kGoodChi2PerEcho = 1.5;
 // The algebraic chi squared may exceed the geometric one by this factor.
 constexpr double kAlgebraicExcess = 3.0;
 
@@ -55,6 +56,7 @@ void ArcFinder::find(const SurfacedScan& scan, Stretch surface, const DetectorOp
   const auto num_pieces = static_cast<int>(pieces.size());
   for (int i = 0; i < num_pieces; ++i) {
     for (int j = std::min(num_pieces, i + kMaxPiecesOfArc) - 1; j >= i; --j) {
+      if (is_part_of_contender(i, j)) continue;
       Contender contender{i, j, {}};
       if (try_pieces(scan, surface, pieces, contender)) contenders_.push_back(contender);
     }
@@ -69,6 +71,14 @@ void ArcFinder::find(const SurfacedScan& scan, Stretch surface, const DetectorOp
     for (LinePiece& piece : taken) piece.is_taken = true;
     arcs.push_back(contender.arc);
   }
+}
+
+// What one arc explains as well as can be asked is not looked at piece by piece.
+bool ArcFinder::is_part_of_contender(int first_piece, int last_piece) const {
+  return std::any_of(contenders_.begin(), contenders_.end(), [&](const Contender& c) {
+    return c.first_piece <= first_piece && last_piece <= c.last_piece &&
+           c.arc.fit.chi2 <= kGoodChi2PerEcho * c.arc.num_echoes();
+  });
 }
 
 bool ArcFinder::try_pieces(const SurfacedScan& scan, Stretch surface, std::span<const LinePiece> pieces,

@@ -57,6 +57,7 @@ class ArcFinder {
     Arc arc;
   };
 
+  bool is_part_of_contender(int first_piece, int last_piece) const;
   bool try_pieces(const SurfacedScan& scan, Stretch surface, std::span<const LinePiece> pieces,
                   Contender& contender);
   bool bulges(const SurfacedScan& scan, Stretch places) const;

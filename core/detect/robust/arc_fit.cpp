@@ -9,6 +9,7 @@ namespace scanbed {
 namespace {
 
 constexpr int kMaxSteps = 6;
+constexpr double kEnoughGain = 0.02;  // of chi squared in a step: less changes no decision
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMaxRadius_m = 3.0;
 constexpr double kMinSlant = 0.6;
@@ -116,7 +117,7 @@ std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members
     arc = candidate;
     equations = next;
     damping *= 0.2;
-    if (gain < 1e-3) break;
+    if (gain < kEnoughGain) break;
   }
   if (!is_plausible(arc)) return std::nullopt;
   // The echoes must lie on the side that faces the sensor.
