@@ -161,7 +161,8 @@ bool ArcFinder::fit_between_ends(const SurfacedScan& scan, Stretch surface, Arc&
   const bool is_free = num_witnesses == 2;
   arc.doubt = is_free ? 0.0 : o.unsure_arc_price;
   if (!is_free && arc_in_view_rad(scan, arc) < o.shallow_arc_rad) arc.doubt += o.shallow_arc_price;
-  arc.doubt = std::max(arc.doubt, std::min(o.doubt_ratio * (expected_gain(scan, arc, o) - o.doubt_start), o.max_doubt));
+  arc.doubt = std::max(arc.doubt,
+                       std::min(o.doubt_ratio * (expected_gain(scan, arc, o) - o.doubt_start), o.max_doubt));
   return true;
 }
 

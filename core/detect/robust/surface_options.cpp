@@ -38,6 +38,9 @@ void validate_prices(const SurfaceOptions& o) {
   require_price(o.shallow_arc_price, "surface.shallow_arc_price");
   require(o.shallow_arc_rad >= 0.0 && o.shallow_arc_rad <= kPi, "surface.shallow_arc_rad", o.shallow_arc_rad,
           "[0, 3.1416]");
+  require(o.doubt_ratio >= 0.0 && o.doubt_ratio <= 1.0, "surface.doubt_ratio", o.doubt_ratio, "[0, 1]");
+  require_price(o.doubt_start, "surface.doubt_start");
+  require_price(o.max_doubt, "surface.max_doubt");
   require(o.max_chi2_per_point > 0.0 && o.max_chi2_per_point <= 1000.0, "surface.max_chi2_per_point",
           o.max_chi2_per_point, "(0, 1000]");
 }

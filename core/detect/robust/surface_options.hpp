@@ -25,9 +25,9 @@ struct SurfaceOptions {
   double unsure_arc_price = 6.0;     ///< of an arc with an end that is not free
   double shallow_arc_price = 2.0;    ///< of an arc with an end that is not free and little of it in view
   double shallow_arc_rad = radians(60.0);
-  double doubt_ratio = 0.5;  ///< of what a perfect arc would gain beyond doubt_start, an arc has to gain so much ...
-  double max_doubt = 6.0;   ///< ... up to this
-  double doubt_start = 6.0;
+  double doubt_ratio = 0.5;         ///< an arc has to gain this share of what a perfect one would gain ...
+  double doubt_start = 6.0;         ///< ... beyond this ...
+  double max_doubt = 6.0;           ///< ... but no more than this
   double max_chi2_per_point = 2.5;  ///< pieces that fit worse are not reported
   double min_radius_m = 0.03;       ///< thinner arcs are no circles
   double max_radius_m = 1.2;        ///< thicker ones neither

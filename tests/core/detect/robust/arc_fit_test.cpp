@@ -45,7 +45,7 @@ TEST(ArcFitTest, TheErrorIsWhatItsCovarianceSays) {
     const double error_m = fit->radius_m - 0.25;
     sum += error_m * error_m / fit->covariance(2, 2) / kRepeats;
   }
-  // The noise is inflated by 1.25 in sigma: 1 / 1.56 = 0.64, give or take the estimate's own spread.
+  // The noise is inflated by 1.15 in sigma: 1 / 1.32 = 0.76, give or take the estimate's own spread.
   EXPECT_GT(sum, 0.4);
   EXPECT_LT(sum, 1.2);
 }

@@ -91,5 +91,41 @@ TEST(SurfaceParserTest, HugeScansAndHugeRangesAreFine) {
   EXPECT_NO_THROW(features_of(scan));
 }
 
+TEST(SurfaceParserTest, AColumnThatAPostCutsInTwoIsOneColumn) {
+  int num_once = 0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    IdealScene scene;
+    scene.wall({6.0, -4.0}, {6.0, 4.0});
+    scene.cylinder({3.0, 0.0}, 0.35);
+    scene.wall({1.5, -0.06}, {1.5, 0.06});
+    const Features features = features_of(with_noise(scene.scan(), 0.005, seed));
+    int num_here = 0;
+    for (const Circle& circle : features.circles) {
+      if ((circle.center_m - Eigen::Vector2d(3.0, 0.0)).norm() < 0.1) ++num_here;
+    }
+    if (num_here == 1 && features.circles.size() == 1u) ++num_once;
+  }
+  EXPECT_GE(num_once, 48);
+}
+
+TEST(SurfaceParserTest, AWallBehindAPostIsNoColumn) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    IdealScene scene;
+    scene.wall({3.0, -1.0}, {3.0, 1.0});
+    scene.wall({1.5, -0.06}, {1.5, 0.06});
+    EXPECT_TRUE(features_of(with_noise(scene.scan(), 0.005, seed)).circles.empty()) << seed;
+  }
+}
+
+TEST(SurfaceParserTest, ALargeColumnHasNoLines) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    IdealScene scene;
+    scene.cylinder({2.0, 0.0}, 0.8);
+    const Features features = features_of(with_noise(scene.scan(), 0.005, seed));
+    EXPECT_EQ(features.circles.size(), 1u);
+    EXPECT_TRUE(features.lines.empty());
+  }
+}
+
 }  // namespace
 }  // namespace scanbed

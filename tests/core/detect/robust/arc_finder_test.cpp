@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/robust/arc_finder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/ideal_scene.hpp"
+
+namespace scanbed {
+namespace {
+
+using testing::IdealScene;
+using testing::with_noise;
+
+// A scan cut into surfaces, with the lines of each.
+struct Parsed {
+  explicit Parsed(const LaserScan& s) : scan(s) {
+    EchoReader().read(scan, options.surface, echoes);
+    SurfaceSplitter().split(echoes, options.surface, runs);
+    sums.build(echoes, runs.order);
+  }
+
+  std::vector<Arc> arcs_of(int run) {
+    std::vector<LinePiece> pieces;
+    LineSplitter().split(echoes, runs.order, sums, runs.run(run), options.surface, pieces);
+    std::vector<Arc> arcs;
+    ArcFinder().find({scan, echoes, runs.order}, runs.run(run), options, pieces, arcs);
+    return arcs;
+  }
+
+  LaserScan scan;
+  DetectorOptions options = robust_options();
+  Echoes echoes;
+  SurfaceRuns runs;
+  RayLineSums sums;
+};
+
+TEST(ArcFinderTest, AFreeColumnIsOneArcWithoutDoubt) {
+  IdealScene scene;
+  scene.cylinder({2.0, 0.5}, 0.2);
+  Parsed parsed(with_noise(scene.scan(), 0.005, 1));
+  const std::vector<Arc> arcs = parsed.arcs_of(0);
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_NEAR((arcs[0].fit.center_m - Eigen::Vector2d(2.0, 0.5)).norm(), 0.0, 0.02);
+  EXPECT_GT(arcs[0].gain, arcs[0].doubt);
+  EXPECT_DOUBLE_EQ(arcs[0].price, parsed.options.surface.arc_price);
+}
+
+TEST(ArcFinderTest, EndsThatAreNotFreeCostMore) {
+  IdealScene scene;
+  scene.cylinder({2.0, 0.5}, 0.2);
+  LaserScan scan = with_noise(scene.scan(), 0.005, 1);
+  int last = scan.num_beams() - 1;
+  while (!scan.has_echo(last)) --last;
+  for (int i = 0; i < 6; ++i) scan.range_m[last - i] = 1.0;  // something before its left edge
+  Parsed parsed(scan);
+  const std::vector<Arc> arcs = parsed.arcs_of(0);
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_DOUBLE_EQ(arcs[0].price, parsed.options.surface.arc_price + parsed.options.surface.hidden_end_price);
+  EXPECT_GE(arcs[0].doubt, parsed.options.surface.unsure_arc_price);
+}
+
+TEST(ArcFinderTest, AWallIsNoArc) {
+  IdealScene scene;
+  scene.wall({3.0, -2.0}, {3.0, 2.0});
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Parsed parsed(with_noise(scene.scan(), 0.005, seed));
+    EXPECT_TRUE(parsed.arcs_of(0).empty());
+  }
+}
+
+TEST(ArcFinderTest, TwoPartsOfAColumnAreOneArc) {
+  IdealScene scene;
+  scene.cylinder({3.0, 0.0}, 0.35);
+  scene.cylinder({1.5, 0.0}, 0.05);
+  Parsed parsed(with_noise(scene.scan(), 0.005, 1));
+  ASSERT_EQ(parsed.runs.num_runs(), 3);
+  const SurfacedScan surfaced{parsed.scan, parsed.echoes, parsed.runs.order};
+  const auto arc = ArcFinder().join(surfaced, parsed.runs.run(0), parsed.runs.run(2), parsed.options, 60.0);
+  ASSERT_TRUE(arc);
+  EXPECT_EQ(arc->num_parts, 2);
+  EXPECT_NEAR((arc->fit.center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
+  EXPECT_NEAR(arc->fit.radius_m, 0.35, 0.02);
+  EXPECT_NEAR(arc->gain, 60.0 - arc->price - arc->fit.chi2, 1e-9);
+  // What costs less than the arc is not given up for it.
+  EXPECT_FALSE(ArcFinder().join(surfaced, parsed.runs.run(0), parsed.runs.run(2), parsed.options, 18.0));
+}
+
+}  // namespace
+}  // namespace scanbed
