@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "hw/serial/final_fault.hpp"
+
 namespace scanbed::hw {
 
 struct RecoveringLaser::Impl {
@@ -62,7 +64,7 @@ void RecoveringLaser::Impl::work() {
     } catch (const DeviceRefusal&) {
       return fail(std::current_exception());
     } catch (const SensorFault& fault) {
-      if (!try_again(fault)) return fail(std::current_exception());
+      if (!try_again(fault)) return fail(std::make_exception_ptr(final_fault(name, fault)));
     } catch (const std::exception&) {
       return fail(std::current_exception());
     }

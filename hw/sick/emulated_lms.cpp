@@ -283,6 +283,7 @@ void EmulatedLms::start_faults(double now_s) {
   while (next_fault_ < options_.faults.size() && options_.faults[next_fault_].at_s <= now_s - start_s_) {
     start_fault(options_.faults[next_fault_++].kind, now_s);
   }
+  for (const LmsFaultKind fault : std::exchange(injected_, {})) start_fault(fault, now_s);
 }
 
 /// Makes the feed give what the stream, or a single answer, is to carry.

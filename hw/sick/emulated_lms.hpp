@@ -43,6 +43,9 @@ class EmulatedLms {
   /// When run() will next have something to send; infinity where only a request can bring that about.
   double next_event_s() const;
 
+  /// Lets a fault happen at the next run() or receive(), beside those of the options.
+  void inject(LmsFaultKind fault) { injected_.push_back(fault); }
+
   /// True once after a fault took the port away: the caller unplugs it for options.unplug_s.
   bool take_unplug();
 
@@ -103,6 +106,7 @@ class EmulatedLms {
   double next_scan_s_ = 0.0;
   double wire_free_s_ = 0.0;  // when the last queued byte is out
   std::size_t next_fault_ = 0;
+  std::vector<LmsFaultKind> injected_;
   std::uint8_t scan_index_ = 0;
   std::uint8_t telegram_index_ = 0;
   bool feed_is_partial_ = false;

@@ -25,7 +25,8 @@ class EmulatorServer {
   /// @throws what the source of the scans throws.
   void run(const StopSignal& stop);
 
-  const EmulatedLms& lms() const { return lms_; }
+  /// The sensor; while run() runs, only its own thread (an observer) may touch it.
+  EmulatedLms& lms() { return lms_; }
 
  private:
   void serve(const StopSignal& stop);

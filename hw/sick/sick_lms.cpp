@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/errors/sensor_fault.hpp"
+#include "hw/serial/final_fault.hpp"
 #include "hw/serial/serial_port.hpp"
 #include "hw/serial/steady_clock.hpp"
 #include "hw/sick/lms_session.hpp"
@@ -120,7 +121,7 @@ void SickLms::Impl::work() {
     } catch (const LmsRefusal&) {
       return give_up(std::current_exception());
     } catch (const SensorFault& fault) {
-      if (!try_again(fault)) return give_up(std::current_exception());
+      if (!try_again(fault)) return give_up(std::make_exception_ptr(final_fault(options.path, fault)));
     } catch (const std::exception&) {
       return give_up(std::current_exception());
     }

@@ -9,6 +9,7 @@
 #include "hw/sick/lms_session.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/interrupt.hpp"
+#include "scenarios/command/log.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/usage.hpp"
 
@@ -33,7 +34,10 @@ std::string probe(const std::string& path) {
     hw::LmsLink link(port, {}, stop);
     return describe(hw::find_lms(link, hw::probe_order(9600)));
   } catch (const SensorFault& fault) {
-    return fault.kind() == SensorFault::Kind::kTimeout ? "no LMS answers" : fault.what();
+    if (fault.kind() == SensorFault::Kind::kTimeout) return "no LMS answers";
+    // The line begins with the port already.
+    const std::string text = fault.what();
+    return text.starts_with(path + ": ") ? text.substr(path.size() + 2) : text;
   }
 }
 
@@ -43,6 +47,7 @@ ExitCode execute(const DevicesCommand& command) {
   std::vector<hw::PortName> ports;
   for (const std::string& path : command.ports) ports.push_back({path, path});
   if (command.ports.empty()) ports = hw::list_ports();
+  if (ports.empty()) log_note("no serial port is here; is the adapter plugged in?");
   for (const hw::PortName& port : ports) {
     if (is_interrupted()) return kExitInterrupted;
     std::string line = port.path;

@@ -75,7 +75,10 @@ EmulateCommand to_emulate(const EmulateTexts& texts) {
   require(address <= 127, "--address", static_cast<double>(address), "[0, 127]");
   command.address = static_cast<std::uint8_t>(address);
   command.baud = static_cast<int>(std::min<std::int64_t>(to_count("--baud", texts.baud, 1), 1000000));
-  if (!texts.duration.empty()) command.duration_s = to_time_s("--for", texts.duration);
+  if (!texts.duration.empty()) {
+    command.duration_s = to_time_s("--for", texts.duration);
+    require(*command.duration_s >= 0.0, "--for", *command.duration_s, ">= 0");
+  }
   return command;
 }
 

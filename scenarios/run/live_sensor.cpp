@@ -39,12 +39,15 @@ const ScanGeometry& LiveSensor::geometry() const {
 
 bool LiveSensor::wait_for_scan(LaserScan& scan) {
   const auto start = Clock::now();
+  bool has_told = false;
   while (!options_.is_interrupted || !options_.is_interrupted()) {
     try {
       return device_->next(scan, kStep);
     } catch (const SensorFault& fault) {
-      const bool is_out_of_patience = Clock::now() - start > Seconds(options_.patience_s);
-      if (fault.kind() != SensorFault::Kind::kTimeout || is_out_of_patience) throw;
+      const Seconds waited = Clock::now() - start;
+      if (fault.kind() != SensorFault::Kind::kTimeout || waited.count() > options_.patience_s) throw;
+      const bool is_long = waited.count() >= options_.quiet_s;
+      if (is_long && !std::exchange(has_told, true) && options_.warn) options_.warn(fault.what());
     }
   }
   return false;

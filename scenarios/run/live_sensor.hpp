@@ -15,10 +15,12 @@ namespace scanbed::scenarios {
 
 struct LiveOptions {
   double patience_s = 90.0;           ///< without a scan, before it is an error; a sensor may start for 60 s
+  double quiet_s = 5.0;               ///< without a scan, before the user is told what the device is at
   std::optional<std::int64_t> limit;  ///< scans after which the stream ends
   std::function<bool()> is_interrupted;        ///< asked ten times a second; true ends the stream
   std::optional<std::filesystem::path> truth;  ///< where truth of the scans is found
-  /// Told in one line when what the device says of its own state changes; may be empty.
+  /// Told in one line when what the device says of its own state changes, and when scans stay away; may be
+  /// empty.
   std::function<void(const std::string&)> warn;
 };
 

@@ -25,6 +25,9 @@ class RunningEmulator {
 
   std::string port() const { return server_.port(); }
 
+  /// To be touched by the observer alone, which is called in the emulator's thread.
+  hw::EmulatedLms& lms() { return server_.lms(); }
+
   /// Faults that had come into effect when the last scan was sent; may be asked for while it runs.
   std::int64_t num_faults() const { return num_faults_.load(); }
 

@@ -96,6 +96,7 @@ TEST_F(EmulateTest, RefusesBadInputInOneLine) {
   EXPECT_NE(refused({"emulate", "static_hallway", "--baud", "115200"}).find("power_on_baud"),
             std::string::npos);
   EXPECT_NE(refused({"emulate", "static_hallway", "--address", "200"}).find("--address"), std::string::npos);
+  EXPECT_NE(refused({"emulate", "static_hallway", "--for", "-1"}).find("--for"), std::string::npos);
   const std::string file = testing::write_file(folder_ / "precious", "x");
   EXPECT_NE(refused({"emulate", "static_hallway", "--link", file}).find("no symbolic link"),
             std::string::npos);

@@ -55,6 +55,17 @@ TEST(LiveSensorTest, RunsOutOfPatience) {
   EXPECT_THROW(sensor.next(scan, {}), SensorFault);
 }
 
+TEST(LiveSensorTest, TellsOnceThatScansStayAway) {
+  std::vector<std::string> told;
+  LiveSensor sensor(std::make_unique<SlowDevice>(3),
+                    {.quiet_s = 0.0, .warn = [&](const std::string& line) { told.push_back(line); }});
+  LaserScan scan;
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(told, std::vector<std::string>{"not yet"});
+  EXPECT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(told.size(), 2U);
+}
+
 TEST(LiveSensorTest, PassesOtherFaultsOn) {
   LiveSensor sensor(std::make_unique<LostDevice>(), {});
   LaserScan scan;
