@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bench/results/world_dice.hpp"
+#include "sim/generate/world_dice.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -25,7 +25,7 @@ Estimate pooled_share(const std::vector<Share>& runs) {
   Share all;
   for (const Share& run : runs) add(all, run);
   std::vector<double> ratios;
-  WorldDice dice(1, "bootstrap");
+  sim::WorldDice dice(1, "bootstrap");
   const int num_runs = static_cast<int>(runs.size());
   for (int i = 0; i < kNumResamples; ++i) {
     Share sum;

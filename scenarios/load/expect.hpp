@@ -33,7 +33,9 @@ struct ScanCondition {
 struct Expectation {
   ScanCondition condition;
   TimeWindow window;
-  double share = 1.0;  ///< of the window's scans in which it must hold; 0: in one of them
+  double share = 1.0;                      ///< of the window's scans in which it must hold; 0: in one of them
+  std::optional<std::string> preset = {};  ///< of the detector that is held to it; empty: any
+  std::optional<std::string> known_fail = {};  ///< why it is not met yet; a miss is then reported only
 
   /// "circle, at least 1 within 0.2 m of cyl, in all scans of 5 to 12 s".
   std::string text() const;

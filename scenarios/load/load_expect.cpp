@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/detect/presets.hpp"
 #include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
@@ -85,6 +86,8 @@ Expectation load_expectation(const Value& value, const Scenario& scenario) {
   if (const auto between = table.take("between")) {
     expectation.window = load_window(*between, scenario.duration_s);
   }
+  expectation.preset = take_preset(table);
+  expectation.known_fail = take_known_fail(table);
   if (const auto scans = table.take("scans")) expectation.share = load_share(*scans);
   table.finish();
   if (!found) value.refuse("expects nothing; one of line, circle, leg");
@@ -92,6 +95,17 @@ Expectation load_expectation(const Value& value, const Scenario& scenario) {
 }
 
 }  // namespace
+
+std::optional<std::string> take_preset(Table& table) {
+  const std::optional<Value> preset = table.take("preset");
+  if (!preset) return std::nullopt;
+  return preset_names()[preset->choice(preset_names())];
+}
+
+std::optional<std::string> take_known_fail(Table& table) {
+  const std::optional<Value> reason = table.take("known_fail");
+  return reason ? std::optional(reason->text()) : std::nullopt;
+}
 
 TimeWindow load_window(const Value& value, double duration_s) {
   const std::vector<Value> ends = value.items(2);

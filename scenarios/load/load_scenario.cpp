@@ -74,7 +74,7 @@ void load_header(Table& table, Scenario& scenario) {
     scenario.seed = static_cast<std::uint64_t>(seed->count({.least = 0.0}));
   }
   scenario.duration_s = table.need("duration").number({.least = 0.0, .greatest = kLongest_s, .open = true});
-  if (const auto reason = table.take("known_fail")) scenario.known_fail = reason->text();
+  scenario.known_fail = take_known_fail(table);
 }
 
 Scenario load_tree(const Value& root) {
@@ -84,6 +84,7 @@ Scenario load_tree(const Value& root) {
   table.take("vars");  // read before
   load_header(table, scenario);
   if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
+  if (const auto generate = table.take("generate")) load_generated(*generate, scenario);
   if (const auto robot = table.take("robot")) load_robot(*robot, scenario.world.robot);
   if (const auto world = table.take("world")) load_solids(*world, scenario.world.solids);
   if (const auto actors = table.take("actors")) load_actors(*actors, scenario);

@@ -37,19 +37,22 @@ void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
   Table table(value);
   TimeWindow window;
   if (const auto between = table.take("between")) window = load_window(*between, scenario.duration_s);
+  const std::optional<std::string> preset = take_preset(table);
+  const std::optional<std::string> known_fail = take_known_fail(table);
   for (const NodeEntry& entry : value.node().entries) {
-    if (entry.key == "between") continue;
+    if (entry.key == "between" || entry.key == "preset" || entry.key == "known_fail") continue;
     const std::optional<Metric> metric = find_metric(entry.key, kind);
     if (!metric) {
       refuse(entry.place, fmt::format("unknown key {}{}", quote(entry.key),
                                       name_hint(entry.key, metric_names(kind), "keys")));
     }
     const Value bound(entry.value, entry.key, value.variables());
-    scenario.needs.push_back({kind, *metric, bound.number(allowed_bound(*metric)), window});
+    scenario.needs.push_back(
+        {kind, *metric, bound.number(allowed_bound(*metric)), window, preset, known_fail});
   }
 }
 
-// One map of bounds, or a list of them for several windows of time.
+// One map of bounds, or a list of them for several windows of time, presets, known failures.
 void load_needs(const Value& value, FeatureKind kind, Scenario& scenario) {
   if (value.node().kind != TreeNode::Kind::kList) return load_bounds(value, kind, scenario);
   for (const Value& item : value.items()) load_bounds(item, kind, scenario);

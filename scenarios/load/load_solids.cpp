@@ -2,16 +2,17 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
 #include <string>
 
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
+#include "sim/world/furniture.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
 constexpr Allowed kHeight{.least = 0.0, .greatest = 100.0};
-constexpr double kSeatThickness_m = 0.05;
 
 sim::Cylinder load_cylinder(const Value& value) {
   Table table(value);
@@ -47,6 +48,10 @@ sim::Solid load_frame(Table& table, std::string_view default_label) {
   return solid;
 }
 
+void append(std::vector<sim::Solid> parts, std::vector<sim::Solid>& solids) {
+  std::move(parts.begin(), parts.end(), std::back_inserter(solids));
+}
+
 struct BenchFeet {
   double radius_m = 0.0;
   double apart_m = 0.0;  // between their axes
@@ -65,29 +70,31 @@ BenchFeet load_feet(const Value& value) {
 
 // A bench is two short cylinders that carry a seat; the laser usually looks below the seat.
 void load_bench(Table& table, std::vector<sim::Solid>& solids) {
-  static const std::array<std::string, 1> kPresets = {"bench"};
-  table.need("use").choice(kPresets);
   const std::string id = table.need("id").text();
   const std::string label = table.text("label", "bench");
   const Pose2 X_WB = table.need("at").pose();
   const BenchFeet feet = load_feet(table.need("feet"));
   const double seat_z_m = table.number("seat_z", 0.45, {.least = 0.0, .greatest = 2.0, .open = true});
   table.finish();
-  for (const int side : {0, 1}) {
-    const Eigen::Vector2d p_BF((side - 0.5) * feet.apart_m, 0.0);
-    solids.push_back({.id = fmt::format("{}.foot_{}", id, side),
-                      .label = label,
-                      .shape = sim::Cylinder{X_WB * p_BF, feet.radius_m},
-                      .top_m = seat_z_m,
-                      .material = {}});
-  }
-  const Eigen::Vector2d seat_size_m(feet.apart_m + 2.0 * feet.radius_m, 2.0 * feet.radius_m);
-  solids.push_back({.id = id + ".seat",
-                    .label = label,
-                    .shape = sim::Box{X_WB, seat_size_m},
-                    .bottom_m = seat_z_m,
-                    .top_m = seat_z_m + kSeatThickness_m,
-                    .material = {}});
+  append(sim::bench_parts({id, label, X_WB, feet.radius_m, feet.apart_m, seat_z_m}), solids);
+}
+
+// A chair is a square seat on four thin square legs; between them the laser looks through.
+void load_chair(Table& table, std::vector<sim::Solid>& solids) {
+  const std::string id = table.need("id").text();
+  const std::string label = table.text("label", "chair");
+  const Pose2 X_WC = table.need("at").pose();
+  const double size_m = table.number("size", 0.42, {.least = 0.1, .greatest = 2.0});
+  const double leg_m = table.number("leg", 0.03, {.least = 0.0, .greatest = 0.5 * size_m, .open = true});
+  const double seat_z_m = table.number("seat_z", 0.45, {.least = 0.0, .greatest = 2.0, .open = true});
+  table.finish();
+  append(sim::chair_parts({id, label, X_WC, size_m, leg_m, seat_z_m}), solids);
+}
+
+// Things of several solids, by what they are.
+void load_furniture(const Value& use, Table& table, std::vector<sim::Solid>& solids) {
+  static const std::array<std::string, 2> kPresets = {"bench", "chair"};
+  return use.choice(kPresets) == 0 ? load_bench(table, solids) : load_chair(table, solids);
 }
 
 struct ShapeKey {
@@ -106,7 +113,7 @@ sim::SolidShape load_shape(const Value& shape, Table& table) {
 
 void load_solid(const Value& value, std::vector<sim::Solid>& solids) {
   Table table(value);
-  if (table.take("use")) return load_bench(table, solids);
+  if (const auto use = table.take("use")) return load_furniture(*use, table, solids);
   std::optional<Value> shape;
   const char* default_label = "";
   for (const ShapeKey& candidate : kShapeKeys) {
@@ -120,7 +127,7 @@ void load_solid(const Value& value, std::vector<sim::Solid>& solids) {
   if (shape) solid.shape = load_shape(*shape, table);
   // Unknown keys first: a misspelt shape is better told by its nearest name.
   table.finish();
-  if (!shape) value.refuse("no shape; one of walls, cylinder, box, polygon, use: bench");
+  if (!shape) value.refuse("no shape; one of walls, cylinder, box, polygon, use: bench, use: chair");
   solids.push_back(std::move(solid));
 }
 

@@ -59,7 +59,9 @@ struct Need {
   FeatureKind kind = FeatureKind::kLine;
   Metric metric;
   double bound = 0.0;
-  TimeWindow window = {};  ///< scans that it is measured over
+  TimeWindow window = {};                      ///< scans that it is measured over
+  std::optional<std::string> preset = {};      ///< of the detector that is held to it; empty: any
+  std::optional<std::string> known_fail = {};  ///< why it is not met yet; a miss is then reported only
 };
 
 }  // namespace scanbed::scenarios

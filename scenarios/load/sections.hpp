@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "scenarios/load/scenario.hpp"
+#include "scenarios/load/table.hpp"
 #include "scenarios/load/value.hpp"
 
 namespace scanbed::scenarios {
@@ -11,6 +15,10 @@ namespace scanbed::scenarios {
 
 /// `sensor:`; sets the sensor's options, and height, pitch and roll of the robot's laser.
 void load_sensor(const Value& value, Scenario& scenario);
+
+/// `generate:`, the kind of world that is drawn from the seed; sets the world but for what `sensor:` says of
+/// its laser. @pre  seed and sensor are known.
+void load_generated(const Value& value, Scenario& scenario);
 
 /// `robot:`; sets the world's robot, except for what `sensor:` says of its laser.
 void load_robot(const Value& value, sim::Robot& robot);
@@ -29,6 +37,12 @@ void load_score(const Value& value, Scenario& scenario);
 
 /// `between:`, [from, to] within the run.
 TimeWindow load_window(const Value& value, double duration_s);
+
+/// `preset:`, the detectors that a need or an expectation is of; empty where the key is not there.
+std::optional<std::string> take_preset(Table& table);
+
+/// `known_fail:`, why something is not met yet.
+std::optional<std::string> take_known_fail(Table& table);
 
 /// `expect:`, a list of conditions over time; adds them. @pre  the world is loaded: they name its objects.
 void load_expect(const Value& value, Scenario& scenario);

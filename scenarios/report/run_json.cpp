@@ -66,6 +66,10 @@ Json to_json(const Scores& scores) {
           {"leg", to_json(scores.leg, scores)}};
 }
 
+Json to_json(const std::optional<std::string>& text) {
+  return text ? Json(*text) : Json(nullptr);
+}
+
 Json to_json(const GateResult& gate) {
   const TimeWindow& window = gate.need.window;
   Json json = {{"kind", to_string(gate.need.kind)},
@@ -73,6 +77,7 @@ Json to_json(const GateResult& gate) {
                {gate.need.metric.at_most ? "at_most" : "at_least", rounded(gate.need.bound)},
                {"value", gate.value ? rounded(*gate.value) : Json(nullptr)},
                {"met", gate.met}};
+  json["known_fail"] = to_json(gate.need.known_fail);
   if (!window.is_whole()) json["between_s"] = {rounded(window.from_s), rounded(window.to_s)};
   return json;
 }
@@ -86,7 +91,8 @@ Json to_json(const ExpectResult& result) {
       {"scans", result.num_scans},
       {"held", result.num_held},
       {"first_missed_s", result.first_missed_s ? Json(rounded(*result.first_missed_s)) : Json(nullptr)},
-      {"met", result.met}};
+      {"met", result.met},
+      {"known_fail", to_json(result.expectation.known_fail)}};
 }
 
 // Whether there was anything to hold the run against, and how that ended.
@@ -115,7 +121,8 @@ Json to_json(const RunResult& result) {
       {"expectations", expectations},
       {"gates_met", verdict(result)},
       {"unexpected_pass", result.passed_unexpectedly()},
-      {"known_fail", result.known_fail ? Json(*result.known_fail) : Json(nullptr)}};
+      {"accepted", result.is_accepted()},
+      {"known_fail", to_json(result.known_fail)}};
 }
 
 }  // namespace

@@ -77,6 +77,15 @@ void append_tracks(std::string& out, const Scores& scores) {
   }
 }
 
+std::string_view outcome(bool met, const std::optional<std::string>& known_fail) {
+  if (met) return "pass";
+  return known_fail ? "miss" : "MISS";
+}
+
+std::string reason(const std::optional<std::string>& known_fail) {
+  return known_fail ? "  known failure: " + *known_fail : "";
+}
+
 void append_gates(std::string& out, const std::vector<GateResult>& gates) {
   if (gates.empty()) return;
   append(out, "\n  {:<10}{:<24}{:>12}{:>12}\n", "gate", "", "bar", "measured");
@@ -84,8 +93,9 @@ void append_gates(std::string& out, const std::vector<GateResult>& gates) {
     const Need& need = gate.need;
     const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
     const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
-    append(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}\n", to_string(need.kind), need.metric.name, bar, value,
-           gate.met ? "pass" : "MISS", need.window.is_whole() ? "" : "  " + to_string(need.window));
+    append(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}{}\n", to_string(need.kind), need.metric.name, bar, value,
+           outcome(gate.met, need.known_fail), need.window.is_whole() ? "" : "  " + to_string(need.window),
+           reason(need.known_fail));
   }
 }
 
@@ -93,10 +103,11 @@ void append_expectations(std::string& out, const std::vector<ExpectResult>& expe
   if (expectations.empty()) return;
   out += "\n  expected\n";
   for (const ExpectResult& result : expectations) {
+    const std::optional<std::string>& known_fail = result.expectation.known_fail;
     append(out, "  {}: held in {} of {}  {}", result.expectation.text(), result.num_held, result.num_scans,
-           result.met ? "pass" : "MISS");
+           outcome(result.met, known_fail));
     if (!result.met && result.first_missed_s) append(out, "  first at {:g} s", *result.first_missed_s);
-    out += '\n';
+    out += reason(known_fail) + '\n';
   }
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "core/detect/presets.hpp"
 #include "core/detect/table_two.hpp"
 #include "core/errors/input_error.hpp"
 #include "scenarios/load/nearest_name.hpp"
@@ -15,12 +15,10 @@
 namespace scanbed::scenarios {
 namespace {
 
-DetectorOptions preset_options(const std::string& preset) {
-  static const std::array<std::string, 2> kPresets = {"paper", "robust"};
-  if (preset == "paper") return paper_options();
-  if (preset == "robust") return robust_options();
-  throw InputError(
-      fmt::format("--preset: unknown value {}{}", quote(preset), name_hint(preset, kPresets, "presets")));
+DetectorOptions options_of(const std::string& preset) {
+  if (const std::optional<DetectorOptions> options = preset_options(preset)) return *options;
+  throw InputError(fmt::format("--preset: unknown value {}{}", quote(preset),
+                               name_hint(preset, preset_names(), "presets")));
 }
 
 // A value out of range is told with its place, like everything else in a file.
@@ -50,7 +48,7 @@ bool is_table_two_name(std::string_view name) {
 }
 
 DetectorOptions detector_options(const DetectorChoice& choice, std::span<const Setting> settings) {
-  DetectorOptions options = preset_options(choice.preset);
+  DetectorOptions options = options_of(choice.preset);
   if (choice.config) apply(read_yaml(*choice.config), options);
   for (const Setting& setting : settings) {
     TreeNode root;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace scanbed::scenarios {
 namespace {
@@ -32,13 +33,17 @@ void score(const DetectedScan& detected, Scorer& scorer) {
 
 }  // namespace
 
-Judge::Judge(const Scenario& scenario) : scenario_(&scenario), scorer_(scenario.match) {
-  for (const Need& need : scenario.needs) {
+Judge::Judge(const Scenario& scenario, std::string_view preset)
+    : match_(scenario.match), scorer_(scenario.match) {
+  const auto is_of_preset = [&](const auto& bar) { return !bar.preset || *bar.preset == preset; };
+  std::copy_if(scenario.needs.begin(), scenario.needs.end(), std::back_inserter(needs_), is_of_preset);
+  for (const Need& need : needs_) {
     const auto is_same = [&](const auto& window) { return window.first == need.window; };
     if (need.window.is_whole() || std::any_of(windows_.begin(), windows_.end(), is_same)) continue;
     windows_.emplace_back(need.window, Scorer(scenario.match));
   }
   for (const Expectation& expectation : scenario.expectations) {
+    if (!is_of_preset(expectation)) continue;
     expectations_.push_back({.expectation = expectation, .first_missed_s = std::nullopt});
   }
 }
@@ -50,7 +55,7 @@ void Judge::add(const DetectedScan& detected) {
       if (window.contains(detected.scan.time_s)) score(detected, scorer);
     }
   }
-  for (ExpectResult& result : expectations_) count(detected, scenario_->match, result);
+  for (ExpectResult& result : expectations_) count(detected, match_, result);
 }
 
 std::optional<Scores> Judge::scores() const {
@@ -62,7 +67,7 @@ std::optional<Scores> Judge::scores() const {
 std::vector<GateResult> Judge::gates() const {
   std::vector<GateResult> gates;
   if (!scores()) return gates;
-  for (const Need& need : scenario_->needs) {
+  for (const Need& need : needs_) {
     const auto window = std::find_if(windows_.begin(), windows_.end(),
                                      [&](const auto& candidate) { return candidate.first == need.window; });
     const Scorer& scorer = window == windows_.end() ? scorer_ : window->second;

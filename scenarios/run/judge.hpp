@@ -25,8 +25,8 @@ struct ExpectResult {
 /// Watches a run scan by scan and says in the end what it reached: scores, needs, expectations.
 class Judge {
  public:
-  /// @param scenario  outlives this.
-  explicit Judge(const Scenario& scenario);
+  /// @param preset    of the detector: needs and expectations of another one are left out.
+  Judge(const Scenario& scenario, std::string_view preset);
 
   void add(const DetectedScan& detected);
 
@@ -38,7 +38,8 @@ class Judge {
   std::vector<ExpectResult> expectations() const;
 
  private:
-  const Scenario* scenario_;
+  MatchOptions match_;
+  std::vector<Need> needs_;
   Scorer scorer_;
   std::vector<std::pair<TimeWindow, Scorer>> windows_;  // of needs, each window once
   std::vector<ExpectResult> expectations_;

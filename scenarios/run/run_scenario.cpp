@@ -32,6 +32,15 @@ bool RunResult::met_its_gates() const {
                      [](const ExpectResult& expectation) { return expectation.met; });
 }
 
+bool RunResult::is_accepted() const {
+  return known_fail.has_value() ||
+         (std::all_of(gates.begin(), gates.end(),
+                      [](const GateResult& gate) { return gate.met || gate.need.known_fail; }) &&
+          std::all_of(expectations.begin(), expectations.end(), [](const ExpectResult& expectation) {
+            return expectation.met || expectation.expectation.known_fail;
+          }));
+}
+
 bool RunResult::passed_unexpectedly() const {
   const bool is_measured = !gates.empty() || !expectations.empty();
   return known_fail.has_value() && is_measured && !interrupted && met_its_gates();
@@ -44,7 +53,8 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Proc
   result.seed = scenario.seed;
   result.duration_s = scenario.duration_s;
   result.known_fail = scenario.known_fail;
-  Judge judge(scenario);
+  result.preset = processing.preset;
+  Judge judge(scenario, processing.preset);
   std::optional<Tracker> tracker;
   if (processing.track || needs_tracks(scenario)) tracker.emplace();
   LaserScan scan;

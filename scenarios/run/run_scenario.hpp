@@ -39,6 +39,7 @@ struct RunResult {
   bool interrupted = false;  ///< stopped before the end of the stream
 
   bool met_its_gates() const;  ///< and its expectations; true where there are none
+  bool is_accepted() const;    ///< met its gates, but for those that are known to fail
   /// A known failure that met all it was held to: its reason is out of date.
   bool passed_unexpectedly() const;
 };
@@ -46,18 +47,15 @@ struct RunResult {
 /// What is done with the scans of a run.
 struct Processing {
   FeatureDetector& detector;
-  bool track = false;  ///< follow people and cylinders; done anyway where the scenario has needs of them
-
-  // A detector alone is a processing.
-  Processing(FeatureDetector& detects, bool tracks = false)
-      : detector(detects), track(tracks) {}  // NOLINT(google-explicit-constructor)
+  bool track = false;       ///< follow people and cylinders; done anyway where the scenario has needs of them
+  std::string preset = {};  ///< that the detector's options began as: which needs hold for it
 };
 
 /// Called with each scan and its features; returns false to stop after it.
 using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
 
 /// Takes all scans of a sensor, detects, scores those that come with truth, and holds the scores against the
-/// scenario's needs. Fills all fields but laser and preset, which only the caller knows.
+/// scenario's needs of the preset. Fills all fields but laser, which only the caller knows.
 ///
 /// @throws what the sensor's next() throws.
 RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Processing& processing,

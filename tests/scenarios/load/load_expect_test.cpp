@@ -27,6 +27,8 @@ TEST(LoadExpectTest, TakesEveryKey) {
             "leg, recall >= 0.5, precision >= 0.6, in all scans");
   EXPECT_EQ(expectation("{line: {}, scans: some}").text(), "line, at least 1, in one scan");
   EXPECT_EQ(expectation("{line: {at_most: 0}, scans: all}").text(), "line, at most 0, in all scans");
+  EXPECT_EQ(expectation("{line: {}, preset: paper}").preset, "paper");
+  EXPECT_EQ(expectation("{line: {}, known_fail: too far}").known_fail, "too far");
 }
 
 TEST(LoadExpectTest, NamesObjectsAndThingsOfSeveral) {

@@ -87,5 +87,17 @@ TEST(LoadScoreTest, TakesNeedsOfSeveralWindows) {
             "f:4:38: between: the window ends before it begins");
 }
 
+TEST(LoadScoreTest, TakesNeedsOfOnePresetAndKnownFailures) {
+  const Scenario scenario = testing::parse(
+      "score: {circle: {need: [{preset: robust, recall: 0.9}, {known_fail: too thin, recall: 1}]}}\n");
+  ASSERT_EQ(scenario.needs.size(), 2u);
+  EXPECT_EQ(scenario.needs[0].preset, "robust");
+  EXPECT_EQ(scenario.needs[0].known_fail, std::nullopt);
+  EXPECT_EQ(scenario.needs[1].preset, std::nullopt);
+  EXPECT_EQ(scenario.needs[1].known_fail, "too thin");
+  EXPECT_EQ(testing::parse_error("score: {circle: {need: {preset: papre, recall: 1}}}\n"),
+            "f:4:33: preset: unknown value 'papre'; did you mean 'paper'?");
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

@@ -75,9 +75,21 @@ TEST(LoadSolidsTest, BuildsABenchOfTwoFeetBelowASeat) {
   EXPECT_TRUE(std::get<sim::Box>(bench[2].shape).size_m.isApprox(Eigen::Vector2d(1.7, 0.5), 1e-12));
 }
 
+TEST(LoadSolidsTest, BuildsAChairOfFourLegsBelowASeat) {
+  const std::vector<sim::Solid> chair =
+      solids("{id: c, use: chair, at: [5, 6, 0], size: 0.4, leg: 0.02, seat_z: 0.5}");
+  ASSERT_EQ(chair.size(), 5u);
+  EXPECT_TRUE(std::get<sim::Box>(chair[0].shape).X_WB.p_m.isApprox(Eigen::Vector2d(4.81, 5.81), 1e-12));
+  EXPECT_EQ(chair[4].id, "c.seat");
+  EXPECT_EQ(chair[4].bottom_m, 0.5);
+  EXPECT_EQ(chair[0].label, "chair");
+  EXPECT_EQ(solid_error("{id: c, use: chiar, at: [5, 6, 0]}"),
+            "f:5:18: use: unknown value 'chiar'; did you mean 'chair'?");
+}
+
 TEST(LoadSolidsTest, RefusesShapesThatAreNotOneThing) {
   EXPECT_EQ(solid_error("{id: a}"),
-            "f:5:5: world: no shape; one of walls, cylinder, box, polygon, use: bench");
+            "f:5:5: world: no shape; one of walls, cylinder, box, polygon, use: bench, use: chair");
   EXPECT_EQ(solid_error("{id: a, walls: [[5, 5], [6, 5]], box: {at: [5, 5, 0], size: [1, 1]}}"),
             "f:5:43: box: a second shape beside 'walls'");
   EXPECT_EQ(solid_error("{id: a, cylindre: {at: [5, 5], r: 1}}"),
@@ -101,7 +113,7 @@ TEST(LoadSolidsTest, RefusesSizesThatCannotBe) {
   EXPECT_EQ(solid_error("{id: a, use: bench, at: [5, 5, 0], feet: {r: 0.3, apart: 0.5}}"),
             "f:5:62: apart: the feet overlap; allowed: > 2 r");
   EXPECT_EQ(solid_error("{id: a, use: table, at: [5, 5, 0]}"),
-            "f:5:18: use: unknown value 'table'; known values: bench");
+            "f:5:18: use: unknown value 'table'; known values: bench, chair");
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ TEST(RunJsonTest, HoldsTheGates) {
   ASSERT_EQ(run["gates"].size(), 3u);
   EXPECT_DOUBLE_EQ(run["gates"][0]["at_least"], 0.75);
   EXPECT_EQ(run["gates"][0]["met"], true);
+  EXPECT_TRUE(run["gates"][0]["known_fail"].is_null());
   EXPECT_TRUE(run["gates"][1]["value"].is_null());
   EXPECT_EQ(run["gates"][1]["met"], false);
   EXPECT_DOUBLE_EQ(run["gates"][2]["at_most"], 0.5);

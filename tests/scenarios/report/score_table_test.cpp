@@ -62,6 +62,14 @@ TEST(ScoreTableTest, TellsAKnownFailure) {
       "1 of 1 gates passed, although it is a known failure: columns too thin\n"));
 }
 
+TEST(ScoreTableTest, TellsTheReasonBesideAGateThatIsKnownToFail) {
+  RunResult result = testing::made_result();
+  result.gates[1].need.known_fail = "walls too far";
+  EXPECT_EQ(
+      row(score_table(result), {"line", "recall"}),
+      (Words{"line", "recall", ">=", "0.9", "nothing", "miss", "known", "failure:", "walls", "too", "far"}));
+}
+
 TEST(ScoreTableTest, SaysThatNothingWasScoredWithoutTruth) {
   RunResult result = testing::made_result();
   result.scores.reset();

@@ -15,7 +15,7 @@ class JudgeTest : public ::testing::Test {
     scenario_ = parse_scenario(
         "schema: 1\nname: j\nduration: 10\nworld: [{id: col, cylinder: {at: [3, 0], r: 0.25}}]\n" + rest,
         "f");
-    Judge judge(scenario_);
+    Judge judge(scenario_, "robust");
     ObjectTruth column;
     column.id = "col";
     column.primitive = Primitive::kCircle;
@@ -89,6 +89,18 @@ TEST_F(JudgeTest, MeasuresNeedsOverTheirWindows) {
   EXPECT_EQ(gates_[2].value, 0.0);
   EXPECT_EQ(gates_[3].value, 5.0);
   EXPECT_TRUE(gates_[0].met && gates_[1].met && !gates_[2].met && gates_[3].met);
+}
+
+TEST_F(JudgeTest, LeavesOutWhatIsAskedOfAnotherPreset) {
+  watch(
+      "expect: [{preset: paper, circle: {at_least: 2}}, {preset: robust, circle: {at_most: 1}}]\n"
+      "score: {circle: {need: [{truths: 1}, {preset: paper, recall: 1}, {preset: robust, recall: 0.1}]}}\n",
+      {1, 2, 3});
+  ASSERT_EQ(gates_.size(), 2u);
+  EXPECT_EQ(gates_.at(1).need.bound, 0.1);
+  EXPECT_TRUE(gates_.at(1).met);
+  ASSERT_EQ(results_.size(), 1u);
+  EXPECT_TRUE(results_.at(0).met);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class OneCylinder final : public RangeSensor {
 RunResult run(RangeSensor& sensor, int stop_after = 1000) {
   const Scenario scenario = testing::parse("seed: 5\nscore: {circle: {need: {recall: 1, precision: 1}}}\n");
   FeatureDetector detector{paper_options()};
-  return run_scenario(scenario, sensor, detector,
+  return run_scenario(scenario, sensor, {detector},
                       [&](const LaserScan&, const Features&) { return --stop_after > 0; });
 }
 
@@ -127,20 +127,33 @@ TEST(RunScenarioTest, PassesUnexpectedlyOnlyWhereSomethingWasMeasured) {
   EXPECT_FALSE(result.passed_unexpectedly());
 }
 
+TEST(RunScenarioTest, AcceptsMissesThatAreKnown) {
+  RunResult result;
+  EXPECT_TRUE(result.is_accepted());
+  result.gates = {{.need = {.known_fail = "too hard"}, .value = 0.0, .met = false}};
+  result.expectations.push_back({.expectation = {.known_fail = "too hard"}, .first_missed_s = 0.0});
+  EXPECT_TRUE(result.is_accepted());
+  EXPECT_FALSE(result.met_its_gates());
+  result.gates.push_back({.need = {}, .value = 0.0, .met = false});
+  EXPECT_FALSE(result.is_accepted());
+  result.known_fail = "all too hard";
+  EXPECT_TRUE(result.is_accepted());
+}
+
 TEST(RunScenarioTest, FollowsWhereAskedOrNeeded) {
   const Scenario plain = testing::parse("seed: 5\n");
   const Scenario needs = testing::parse("seed: 5\nscore: {cylinder: {need: {truths: 3}}}\n");
   FeatureDetector detector{robust_options()};
   const auto go_on = [](const LaserScan&, const Features&) { return true; };
   OneCylinder first(5, true);
-  EXPECT_FALSE(run_scenario(plain, first, detector, go_on).scores->cylinder);
+  EXPECT_FALSE(run_scenario(plain, first, {detector}, go_on).scores->cylinder);
   OneCylinder second(5, true);
   const RunResult asked = run_scenario(plain, second, {detector, true}, go_on);
   ASSERT_TRUE(asked.scores->cylinder);
   EXPECT_EQ(asked.scores->cylinder->num_truths, 5);
   EXPECT_EQ(asked.scores->cylinder->num_matches, 4);  // one hit confirms nothing
   OneCylinder third(5, true);
-  EXPECT_TRUE(run_scenario(needs, third, detector, go_on).met_its_gates());
+  EXPECT_TRUE(run_scenario(needs, third, {detector}, go_on).met_its_gates());
 }
 
 }  // namespace

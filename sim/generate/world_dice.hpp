@@ -6,7 +6,7 @@
 
 #include "core/random/philox.hpp"
 
-namespace scanbed::bench {
+namespace scanbed::sim {
 
 /// Random numbers to build a world of, one after the other; the same for the same seed and purpose.
 class WorldDice {
@@ -22,4 +22,4 @@ class WorldDice {
   int num_drawn_ = 0;
 };
 
-}  // namespace scanbed::bench
+}  // namespace scanbed::sim
