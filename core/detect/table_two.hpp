@@ -13,6 +13,7 @@ struct TableTwoEntry {
   std::string_view name;
   double default_value;      ///< as printed
   std::string_view unit;     ///< "mm", "rad", "m" or empty
+  std::string_view option;   ///< that it stands for, as core/options names it; empty for the laser
   std::string_view meaning;  ///< one line
   double min_value;
   double max_value;

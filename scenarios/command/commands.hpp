@@ -114,6 +114,12 @@ struct DevicesCommand {
   bool is_probing = false;
 };
 
+/// `scanbed options`
+struct OptionsCommand {
+  DetectorChoice detector;
+  std::vector<Setting> settings;
+};
+
 /// `scanbed list`
 struct ListCommand {};
 
@@ -127,8 +133,9 @@ struct TextCommand {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ExportCommand,
-                             EmulateCommand, DevicesCommand, ListCommand, ValidateCommand, TextCommand>;
+using Command =
+    std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ExportCommand, EmulateCommand,
+                 DevicesCommand, OptionsCommand, ListCommand, ValidateCommand, TextCommand>;
 
 ExitCode execute(const RunCommand& command);
 ExitCode execute(const DetectCommand& command);
@@ -137,6 +144,7 @@ ExitCode execute(const ConvertCommand& command);
 ExitCode execute(const ExportCommand& command);
 ExitCode execute(const EmulateCommand& command);
 ExitCode execute(const DevicesCommand& command);
+ExitCode execute(const OptionsCommand& command);
 ExitCode execute(const ListCommand& command);
 ExitCode execute(const ValidateCommand& command);
 ExitCode execute(const TextCommand& command);

@@ -71,7 +71,7 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
   if (spec.kind == LaserKind::kLog) {
     if (!settings.empty()) {
       throw InputError("--set " + settings[0].path + ": a recording has no scenario; " +
-                       "allowed: the detector's parameters, see 'scanbed detect --help'");
+                       "allowed: the detector's options, see 'scanbed options'");
     }
     auto log = open_log(spec);
     const hw::ScanReader* counts = log.get();
@@ -80,7 +80,7 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
   if (spec.is_device()) {
     if (!settings.empty()) {
       throw InputError("--set " + settings[0].path + ": a device has no scenario; " +
-                       "allowed: the detector's parameters, see 'scanbed detect --help'");
+                       "allowed: the detector's options, see 'scanbed options'");
     }
     return {std::make_unique<LiveSensor>(open_device(spec),
                                          LiveOptions{.is_interrupted = is_interrupted, .warn = log_warning}),
@@ -122,8 +122,12 @@ DetectCommand to_detect(const DetectTexts& texts) {
 
 ExitCode execute(const DetectCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
-  FeatureDetector detector(detector_options(command.detector, settings.detector));
-  Analyst analyst(detector, {.track = command.track, .interpret = command.interpret});
+  const AnalysisOptions options = open_detector(command.detector, settings.detector);
+  FeatureDetector detector(options.detector);
+  Analyst analyst(detector, {.track = command.track,
+                             .interpret = command.interpret,
+                             .tracker = options.track,
+                             .interpreter = options.interpret});
   const OpenedLaser laser = open_laser(command, settings.scenario);
   Output output(command.out);
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
@@ -162,9 +166,9 @@ Usage detect_usage() {
   usage.footer = R"(Prints one JSON object a scan, in metres and radians of the sensor's frame.
 Examples:
   scanbed detect --laser log:hall.log.gz --limit 10
-  scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set circle_std_max=0.1
+  scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set surface.arc_price=24
   scanbed detect --laser sim:static_hallway --out features.jsonl
-  scanbed detect --laser log:walk.bag --preset robust --track --interpret
+  scanbed detect --laser log:walk.bag --track --interpret
   scanbed detect --laser 'log:walk.bag?speed=1&from=2&to=10' --record walk.mcap
 )" + table_two_text();
   usage.command = [texts] { return to_detect(*texts); };

@@ -63,10 +63,20 @@ std::string to_text(const hw::RecordingCounts& counts) {
                      plural(counts.num_other_lines, "other line"));
 }
 
+AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings) {
+  const DetectorSettings result = detector_settings(choice, settings);
+  for (const std::string& name : result.idle) {
+    const bool is_paper = result.options.detector.pipeline == Pipeline::kPaper;
+    log_warning(fmt::format("{}: changes nothing here, only the {} pipeline reads it", name,
+                            is_paper ? "robust" : "paper"));
+  }
+  return result.options;
+}
+
 SortedSettings sort_settings(std::span<const Setting> settings) {
   SortedSettings sorted;
   for (const Setting& setting : settings) {
-    (is_table_two_name(setting.path) ? sorted.detector : sorted.scenario).push_back(setting);
+    (is_detector_setting(setting.path) ? sorted.detector : sorted.scenario).push_back(setting);
   }
   return sorted;
 }

@@ -13,6 +13,7 @@
 #include "hw/recording/scan_reader.hpp"
 #include "scenarios/load/scenario.hpp"
 #include "scenarios/load/set_path.hpp"
+#include "scenarios/run/detector_settings.hpp"
 #include "scenarios/run/laser_spec.hpp"
 #include "sim/sensor/simulated_lms.hpp"
 
@@ -35,7 +36,10 @@ std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec);
 /// "37 scans, 0 damaged lines, 3 other lines".
 std::string to_text(const hw::RecordingCounts& counts);
 
-/// Settings by what they are for: Table II names for the detector, all else for the scenario.
+/// What the command line asks of detection; options that would change nothing become warnings.
+AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings);
+
+/// Settings by what they are for: options of detection and Table II names, all else for the scenario.
 struct SortedSettings {
   std::vector<Setting> detector;
   std::vector<Setting> scenario;

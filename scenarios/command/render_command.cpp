@@ -221,7 +221,7 @@ RenderCommand to_render(const RenderTexts& texts) {
 
 ExitCode execute(const RenderCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
-  FeatureDetector detector(detector_options(command.detector, settings.detector));
+  FeatureDetector detector(open_detector(command.detector, settings.detector).detector);
   const Scenario scenario = open_scenario(command.scenario, settings.scenario, command.seed);
   if (command.out) {
     const ExitCode code = render_picture(command, scenario, detector);

@@ -34,43 +34,44 @@ Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
   return {command.record, metadata};
 }
 
-RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario,
+                             const Processing& processing) {
   const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
   std::optional<PictureTaker> pictures;
   if (command.out) pictures.emplace(scenario, *sensor, *command.out);
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, *sensor, {detector, command.track, command.detector.preset},
-                            [&](const LaserScan& scan, const Features& features) {
-                              if (pictures) pictures->see(scan, features);
-                              recorder.see(scan, features, *sensor);
-                              progress.show(scan.index + 1);
-                              return !is_interrupted();
-                            });
+  run.result =
+      run_scenario(scenario, *sensor, processing, [&](const LaserScan& scan, const Features& features) {
+        if (pictures) pictures->see(scan, features);
+        recorder.see(scan, features, *sensor);
+        progress.show(scan.index + 1);
+        return !is_interrupted();
+      });
   recorder.finish();
   if (pictures) run.pictures = pictures->files();
   return run;
 }
 
-RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, const Processing& processing) {
   const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, *log, {detector, command.track, command.detector.preset},
-                            [&](const LaserScan& scan, const Features& features) {
-                              recorder.see(scan, features, *log);
-                              progress.show(scan.index + 1);
-                              return !is_interrupted();
-                            });
+  run.result = run_scenario(scenario, *log, processing, [&](const LaserScan& scan, const Features& features) {
+    recorder.see(scan, features, *log);
+    progress.show(scan.index + 1);
+    return !is_interrupted();
+  });
   recorder.finish();
   log_note(to_text(log->counts()));
   return run;
 }
 
 // As many scans of a device as the scenario's simulated laser would give.
-RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
+RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario,
+                             const Processing& processing) {
   const double num_scans = std::ceil(scenario.duration_s / scenario.lms.scan_period_s - 1e-9);
   LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
                                                  .is_interrupted = is_interrupted,
@@ -79,20 +80,20 @@ RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario
   Recorder recorder = open_recorder(command, scenario);
   Progress progress(scenario.name);
   RunAndPictures run;
-  run.result = run_scenario(scenario, sensor, {detector, command.track, command.detector.preset},
-                            [&](const LaserScan& scan, const Features& features) {
-                              recorder.see(scan, features, sensor);
-                              progress.show(scan.index + 1);
-                              return !is_interrupted();
-                            });
+  run.result =
+      run_scenario(scenario, sensor, processing, [&](const LaserScan& scan, const Features& features) {
+        recorder.see(scan, features, sensor);
+        progress.show(scan.index + 1);
+        return !is_interrupted();
+      });
   recorder.finish();
   return run;
 }
 
-RunAndPictures run_one(const RunCommand& command, const Scenario& scenario, FeatureDetector& detector) {
-  if (command.laser.is_device()) return run_on_device(command, scenario, detector);
-  if (command.laser.kind == LaserKind::kLog) return run_on_log(command, scenario, detector);
-  return run_simulated(command, scenario, detector);
+RunAndPictures run_one(const RunCommand& command, const Scenario& scenario, const Processing& processing) {
+  if (command.laser.is_device()) return run_on_device(command, scenario, processing);
+  if (command.laser.kind == LaserKind::kLog) return run_on_log(command, scenario, processing);
+  return run_simulated(command, scenario, processing);
 }
 
 void check(const RunCommand& command) {
@@ -161,7 +162,8 @@ RunCommand to_run(const RunTexts& texts) {
 ExitCode execute(const RunCommand& command) {
   check(command);
   const SortedSettings settings = sort_settings(command.settings);
-  FeatureDetector detector(detector_options(command.detector, settings.detector));
+  const AnalysisOptions options = open_detector(command.detector, settings.detector);
+  FeatureDetector detector(options.detector);
   // All are loaded before the first one runs: a misspelt name shows at once.
   std::vector<Scenario> scenarios;
   for (const std::string& name : command.scenarios) {
@@ -171,7 +173,8 @@ ExitCode execute(const RunCommand& command) {
   const bool prints_table = !command.quiet && command.json != "-";
   for (const Scenario& scenario : scenarios) {
     if (is_interrupted()) break;
-    RunAndPictures run = run_one(command, scenario, detector);
+    RunAndPictures run =
+        run_one(command, scenario, {detector, command.track, command.detector.preset, options.track});
     run.result.laser = command.laser.text;
     if (run.result.passed_unexpectedly()) {
       log_warning(scenario.name + ": passed, although known to fail: " + *scenario.known_fail);
@@ -204,7 +207,7 @@ Usage run_usage() {
   usage.footer = R"(Examples:
   scanbed run static_hallway
   scanbed run static_hallway --seed 7 --set sensor.noise.sigma=0.012 --json -
-  scanbed run my_hall.yaml --set line_err=0.02 --out pictures
+  scanbed run my_hall.yaml --preset paper --set line_err=0.02 --out pictures
 )" + table_two_text();
   usage.command = [texts] { return to_run(*texts); };
   return usage;

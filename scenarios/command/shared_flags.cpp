@@ -11,8 +11,8 @@
 namespace scanbed::scenarios {
 
 Flag SettingFlag::flag() {
-  return {"--set", "NAME=VALUE", "Change one value: PATH of a scenario file, or a detector parameter",
-          &texts};
+  return {"--set", "NAME=VALUE",
+          "Change one value: of a scenario file by its path, or an option of the detector", &texts};
 }
 
 std::vector<Setting> SettingFlag::values() const {
@@ -45,11 +45,11 @@ Flag RecordFlag::flag() {
 }
 
 Flag DetectorFlags::preset_flag() {
-  return {"--preset", "NAME", "Detectors: paper or robust", &preset};
+  return {"--preset", "NAME", "Detectors: robust, or the paper's", &preset};
 }
 
 Flag DetectorFlags::config_flag() {
-  return {"--config", "FILE", "YAML file of detector parameters", &config};
+  return {"--config", "FILE", "YAML file of options, as 'scanbed options' prints them", &config};
 }
 
 DetectorChoice DetectorFlags::value() const {
@@ -61,7 +61,7 @@ Flag one_scenario(std::vector<std::string>& texts) {
 }
 
 std::string table_two_text() {
-  std::string text = "Detector parameters (paper, Table II) for --set and --config:\n";
+  std::string text = "For --set and --config: what 'scanbed options' prints, or the paper's Table II:\n";
   for (const TableTwoEntry& entry : table_two()) {
     const std::string unit = entry.unit.empty() ? "" : fmt::format(" {}", entry.unit);
     text += fmt::format("  {:<16} {} (default {}{})\n", entry.name, entry.meaning, entry.default_value, unit);

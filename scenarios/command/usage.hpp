@@ -42,6 +42,7 @@ Usage convert_usage();
 Usage export_usage();
 Usage emulate_usage();
 Usage devices_usage();
+Usage options_usage();
 Usage list_usage();
 Usage validate_usage();
 

@@ -6,24 +6,39 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "core/detect/detector_options.hpp"
+#include "core/options/analysis_options.hpp"
 #include "scenarios/load/set_path.hpp"
 
 namespace scanbed::scenarios {
 
 /// What the command line says about the detector.
 struct DetectorChoice {
-  std::string preset = "paper";
-  std::optional<std::filesystem::path> config;  ///< YAML map of Table II names to numbers
+  std::string preset = "robust";
+  std::optional<std::filesystem::path>
+      config;  ///< YAML of options, as `scanbed options` prints, or Table II names
 };
 
-/// Whether `name` is one of Table II's parameters.
-bool is_table_two_name(std::string_view name);
+/// Options, and which of those asked for change nothing.
+struct DetectorSettings {
+  AnalysisOptions options;
+  std::vector<std::string> idle;  ///< names that were given, but the pipeline does not read
+};
 
-/// The preset, changed by the file, changed by the settings (Table II names and units).
+/// Whether `path` is one of Table II's parameters, or lies in a group of options: then it is not the
+/// scenario's.
+bool is_detector_setting(std::string_view path);
+
+/// The preset, changed by the file, changed by the settings: options by their path ("circle.max_std_rad"), or
+/// Table II's names in its units.
 ///
-/// @throws InputError for an unknown preset or parameter, and naming parameter, value and allowed range.
-DetectorOptions detector_options(const DetectorChoice& choice, std::span<const Setting> settings);
+/// @throws InputError for an unknown preset, group or option, and naming option, value and allowed range.
+DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings);
+
+/// All options of a preset as YAML for `--config`, with units, effects and Table II's names beside them.
+///
+/// @throws InputError for an unknown preset.
+std::string options_yaml(const DetectorChoice& choice, std::span<const Setting> settings);
 
 }  // namespace scanbed::scenarios

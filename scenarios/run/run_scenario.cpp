@@ -56,7 +56,7 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Proc
   result.preset = processing.preset;
   Judge judge(scenario, processing.preset);
   std::optional<Tracker> tracker;
-  if (processing.track || needs_tracks(scenario)) tracker.emplace();
+  if (processing.track || needs_tracks(scenario)) tracker.emplace(processing.tracker);
   LaserScan scan;
   while (!result.interrupted && sensor.next(scan, kScanTimeout)) {
     ++result.num_scans;

@@ -10,6 +10,7 @@
 #include "core/detect/feature_detector.hpp"
 #include "core/scan/range_sensor.hpp"
 #include "core/score/tally.hpp"
+#include "core/track/track_options.hpp"
 #include "scenarios/load/scenario.hpp"
 #include "scenarios/run/gates.hpp"
 #include "scenarios/run/judge.hpp"
@@ -49,6 +50,7 @@ struct Processing {
   FeatureDetector& detector;
   bool track = false;       ///< follow people and cylinders; done anyway where the scenario has needs of them
   std::string preset = {};  ///< that the detector's options began as: which needs hold for it
+  TrackOptions tracker = {};  ///< how they are followed
 };
 
 /// Called with each scan and its features; returns false to stop after it.

@@ -136,5 +136,28 @@ TEST(FeatureDetectorTest, ASensorThatTurnsClockwiseSeesTheSame) {
   EXPECT_NEAR((a.lines[0].left_m - b.lines[0].right_m).norm(), 0.0, 1e-9);
 }
 
+TEST(FeatureDetectorTest, OptionsChangeBetweenScans) {
+  testing::IdealScene scene;
+  scene.wall({3.0, -2.0}, {3.0, 2.0});
+  scene.cylinder({2.0, 1.0}, 0.2);
+  const LaserScan scan = scene.scan();
+  FeatureDetector detector(robust_options());
+  for (const DetectorOptions& options : {paper_options(), robust_options(), paper_options()}) {
+    detector.set_options(options);
+    FeatureDetector fresh(options);
+    const Features& changed = detector.detect(scan);
+    const Features& expected = fresh.detect(scan);
+    ASSERT_EQ(changed.lines.size(), expected.lines.size());
+    ASSERT_EQ(changed.circles.size(), expected.circles.size());
+    for (std::size_t i = 0; i < expected.circles.size(); ++i) {
+      EXPECT_EQ(changed.circles[i].radius_m, expected.circles[i].radius_m);
+    }
+  }
+  DetectorOptions bad = robust_options();
+  bad.surface.arc_price = -1.0;
+  EXPECT_THROW(detector.set_options(bad), InputError);
+  EXPECT_EQ(detector.options().pipeline, Pipeline::kPaper);
+}
+
 }  // namespace
 }  // namespace scanbed

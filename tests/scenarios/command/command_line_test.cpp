@@ -40,7 +40,7 @@ TEST(CommandLineTest, RunsTheScenariosOwnSeedInTheSimulationByDefault) {
   EXPECT_FALSE(run.json.has_value());
   EXPECT_FALSE(run.out.has_value());
   EXPECT_FALSE(run.quiet);
-  EXPECT_EQ(run.detector.preset, "paper");
+  EXPECT_EQ(run.detector.preset, "robust");
 }
 
 TEST(CommandLineTest, ReadsDetectRenderListAndValidate) {

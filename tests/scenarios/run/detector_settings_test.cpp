@@ -14,35 +14,36 @@ using testing::error_of;
 
 DetectorOptions with(const std::string& name, const std::string& value) {
   const std::array<Setting, 1> settings = {Setting{name, value}};
-  return detector_options({}, settings);
+  return detector_settings({}, settings).options.detector;
 }
 
-TEST(DetectorOptionsTest, AreThePapersByDefault) {
-  EXPECT_EQ(detector_options({}, {}).segmentation.max_gap_m, paper_options().segmentation.max_gap_m);
+TEST(DetectorSettingsTest, AreRobustByDefault) {
+  EXPECT_EQ(detector_settings({}, {}).options.detector.pipeline, Pipeline::kRobust);
 }
 
-TEST(DetectorOptionsTest, TakeTableTwosNamesAndUnits) {
+TEST(DetectorSettingsTest, TakeTableTwosNamesAndUnits) {
   EXPECT_DOUBLE_EQ(with("seg_threshold", "100").segmentation.max_gap_m, 0.1);  // mm
   EXPECT_DOUBLE_EQ(with("line_err", "0.02").line.max_error_m, 0.02);           // m
   EXPECT_FALSE(with("legs", "0").leg.enabled);
-  EXPECT_TRUE(is_table_two_name("circle_std_max"));
-  EXPECT_FALSE(is_table_two_name("seed"));
+  EXPECT_TRUE(is_detector_setting("circle_std_max"));
+  EXPECT_FALSE(is_detector_setting("seed"));
 }
 
-TEST(DetectorOptionsTest, ReadAFileAndLetSettingsOverrideIt) {
+TEST(DetectorSettingsTest, ReadAFileAndLetSettingsOverrideIt) {
   const testing::TemporaryFolder folder;
   const auto file = testing::write_file(folder / "d.yaml", "seg_threshold: 100\nline_err: 0.02\n");
   const std::array<Setting, 1> settings = {Setting{"line_err", "0.03"}};
-  const DetectorOptions options = detector_options({.preset = "paper", .config = file}, settings);
+  const DetectorOptions options =
+      detector_settings({.preset = "paper", .config = file}, settings).options.detector;
   EXPECT_DOUBLE_EQ(options.segmentation.max_gap_m, 0.1);
   EXPECT_DOUBLE_EQ(options.line.max_error_m, 0.03);
 }
 
-TEST(DetectorOptionsTest, SayWhereABadParameterStands) {
+TEST(DetectorSettingsTest, SayWhereABadParameterStands) {
   const testing::TemporaryFolder folder;
   const auto error = [&](const std::string& text) {
     const auto file = testing::write_file(folder / "d.yaml", text);
-    const std::string message = error_of([&] { detector_options({.preset = "paper", .config = file}, {}); });
+    const std::string message = error_of([&] { detector_settings({.preset = "paper", .config = file}, {}); });
     return message.substr(std::min(message.size(), file.string().size()));
   };
   EXPECT_EQ(error("lines: 1\nline_er: 0.02\n"), ":2:1: unknown key 'line_er'; did you mean 'line_err'?");
@@ -52,10 +53,54 @@ TEST(DetectorOptionsTest, SayWhereABadParameterStands) {
       error_of([] { with("seg_threshold", "-5"); }).starts_with("--set seg_threshold=-5: seg_threshold"));
 }
 
-TEST(DetectorOptionsTest, KnowOnlyThePreset) {
-  EXPECT_EQ(detector_options({.preset = "robust", .config = {}}, {}).pipeline, Pipeline::kRobust);
-  EXPECT_EQ(error_of([] { detector_options({.preset = "papre", .config = {}}, {}); }),
+TEST(DetectorSettingsTest, KnowOnlyThePreset) {
+  EXPECT_EQ(detector_settings({.preset = "paper", .config = {}}, {}).options.detector.pipeline,
+            Pipeline::kPaper);
+  EXPECT_EQ(error_of([] { detector_settings({.preset = "papre", .config = {}}, {}); }),
             "--preset: unknown value 'papre'; did you mean 'paper'?");
+}
+
+TEST(DetectorSettingsTest, TakeOptionsOfAllGroupsByTheirPath) {
+  const testing::TemporaryFolder folder;
+  const auto file = testing::write_file(folder / "d.yaml",
+                                        "line: {min_length_m: 0.4, method: off}\n"
+                                        "track:\n  gate_m: 0.2\n  motion: still\n"
+                                        "interpret: {max_door_m: 2}\nleg: {enabled: false}\n");
+  const AnalysisOptions options = detector_settings({.config = file}, {}).options;
+  EXPECT_EQ(options.detector.line.min_length_m, 0.4);
+  EXPECT_EQ(options.detector.line.method, LineMethod::kOff);
+  EXPECT_FALSE(options.detector.leg.enabled);
+  EXPECT_EQ(options.track.gate_m, 0.2);
+  EXPECT_EQ(options.track.motion, MotionSource::kStill);
+  EXPECT_EQ(options.interpret.max_door_m, 2.0);
+  EXPECT_EQ(with("surface.arc_price", "24").surface.arc_price, 24.0);
+  EXPECT_TRUE(is_detector_setting("track.gate_m"));
+  EXPECT_TRUE(is_detector_setting("track.gaet_m"));  // so that its error names the nearest option
+  EXPECT_TRUE(is_detector_setting("pipeline"));
+  EXPECT_FALSE(is_detector_setting("sensor.noise.sigma"));
+}
+
+TEST(DetectorSettingsTest, SayWhereABadOptionStands) {
+  const testing::TemporaryFolder folder;
+  const auto error = [&](const std::string& text) {
+    const auto file = testing::write_file(folder / "d.yaml", text);
+    const std::string message = error_of([&] { detector_settings({.config = file}, {}); });
+    return message.substr(std::min(message.size(), file.string().size()));
+  };
+  EXPECT_TRUE(error("track:\n  gate_m: -1\n").starts_with(":2:11: track.gate_m: value -1 is out of range"))
+      << error("track:\n  gate_m: -1\n");
+  EXPECT_EQ(error("track: {gaet_m: 1}\n"), ":1:9: unknown key 'gaet_m'; did you mean 'gate_m'?");
+  EXPECT_TRUE(error("leg: {enabled: 2}\n").starts_with(":1:16: enabled:"));
+  EXPECT_TRUE(error("line: {min_points: 4.5}\n").starts_with(":1:20: min_points:"));
+  EXPECT_TRUE(error("line: {method: fast}\n").starts_with(":1:16: method:"));
+}
+
+TEST(DetectorSettingsTest, NameWhatThePipelineDoesNotRead) {
+  const std::array<Setting, 3> settings = {Setting{"circle_std_max", "0.1"}, Setting{"line_min_pts", "6"},
+                                           Setting{"surface.arc_price", "20"}};
+  EXPECT_EQ(detector_settings({}, settings).idle, std::vector<std::string>{"circle_std_max"});
+  EXPECT_EQ(detector_settings({.preset = "paper", .config = {}}, settings).idle,
+            std::vector<std::string>{"surface.arc_price"});
 }
 
 }  // namespace
