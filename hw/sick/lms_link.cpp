@@ -18,6 +18,9 @@ constexpr std::int64_t kMostGarbageAfterAck = 32;
 // Nothing is read for longer in one go, so that half a telegram expires in time.
 constexpr double kLongestRead_s = 0.5 * TelegramDecoder::kExpiry_s;
 constexpr std::size_t kReadBytes = 4096;
+// Ends before the telegram does, since the end tells when it arrived.
+constexpr double kRestedPart = 0.8;
+constexpr double kShortestRest_s = 0.003;
 // B1h is the longest answer to any request but those for scans.
 constexpr double kLongestAnswerBytes = 160.0;
 
@@ -54,11 +57,18 @@ void LmsLink::tell(const LmsCommand& command) {
   port_.write(frame_telegram(0x00, encode(command)), stop_);
 }
 
+void LmsLink::rest(double longest_s) const {
+  const double rest_s =
+      std::min(longest_s, kRestedPart * static_cast<double>(decoder_.num_missing()) * byte_s_);
+  if (rests_ && rest_s >= kShortestRest_s) stop_.sleep(rest_s);
+}
+
 bool LmsLink::next_item(WireItem& item, double deadline_s) {
   std::array<std::uint8_t, kReadBytes> buffer{};
   while (!decoder_.next(item)) {
     const double left_s = deadline_s - steady_now_s();
     if (left_s < 0.0) return false;
+    rest(std::min(left_s, kLongestRead_s));
     const std::size_t count = port_.read(buffer, std::min(left_s, kLongestRead_s), stop_);
     const double now_s = steady_now_s();
     if (count > 0) {

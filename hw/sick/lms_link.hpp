@@ -68,6 +68,10 @@ class LmsLink {
   /// there (steady_now_s).
   bool next_telegram(WireItem& item, double timeout_s, double& arrival_s);
 
+  /// From now on sleeps while most of a telegram whose beginning is there arrives, so that it is not woken
+  /// for each few bytes. Of no use where bytes come faster than the baud says.
+  void rest_in_telegrams() { rests_ = true; }
+
   void flush();
 
   const LinkCounts& counts() const { return counts_; }
@@ -80,6 +84,7 @@ class LmsLink {
   LmsReply ask_for(const LmsCommand& command, std::size_t index, const Ask& how);
   Try wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply);
   bool next_item(WireItem& item, double deadline_s);
+  void rest(double longest_s) const;
 
   ByteLink& port_;
   SickPatience patience_;
@@ -88,6 +93,7 @@ class LmsLink {
   LinkCounts counts_;
   double last_read_s_ = 0.0;
   double byte_s_ = 0.0;  // on the wire; 0: not known
+  bool rests_ = false;
 };
 
 }  // namespace scanbed::hw

@@ -77,6 +77,13 @@ void TelegramDecoder::expire(double now_s) {
   ++counts_.num_expired;
 }
 
+std::size_t TelegramDecoder::num_missing() const {
+  const ByteView rest = ByteView(buffer_).subspan(head_);
+  if (rest.size() < kHeadBytes || rest[0] != kStx || !has_good_head(rest)) return 0;
+  const std::size_t whole = read_word(rest, 2) + kFrameBytes;
+  return whole > rest.size() ? whole - rest.size() : 0;
+}
+
 void TelegramDecoder::clear() {
   buffer_.clear();
   head_ = 0;

@@ -48,6 +48,9 @@ class TelegramDecoder {
   /// Whether the start of a telegram waits for its rest.
   bool is_waiting() const { return head_ < buffer_.size(); }
 
+  /// Bytes that the telegram whose start waits is still short of; 0 where its length is not there yet either.
+  std::size_t num_missing() const;
+
   /// Forgets what waits.
   void clear();
 

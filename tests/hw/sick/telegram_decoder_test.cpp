@@ -140,5 +140,17 @@ RC_GTEST_PROP(TelegramDecoderTest, FindsTheTelegramBehindAnyGarbage, (const Byte
   RC_ASSERT(last == kDoneBody);
 }
 
+TEST(TelegramDecoderTest, KnowsHowMuchOfATelegramIsMissing) {
+  TelegramDecoder decoder(Talker::kSensor);
+  WireItem item;
+  for (std::size_t i = 0; i < kDone.size(); ++i) {
+    // The length is known once it is clear that this can be a telegram.
+    EXPECT_EQ(decoder.num_missing(), i < 5 ? 0 : kDone.size() - i) << i;
+    decoder.feed({&kDone[i], 1}, 0.0);
+    EXPECT_EQ(decoder.next(item), i + 1 == kDone.size());
+  }
+  EXPECT_EQ(decoder.num_missing(), 0U);
+}
+
 }  // namespace
 }  // namespace scanbed::hw
