@@ -36,19 +36,23 @@ std::uint32_t result_of(const std::string& answer, std::uint32_t if_none) {
   return tokens.next_hex().value_or(if_none);
 }
 
-void log_in(ColaClient& client) {
+bool log_in(ColaClient& client) {
   const std::string answer = client.ask(std::string("sMN SetAccessMode 03 ") + kClientPassword);
-  if (is_error(answer)) throw DeviceRefusal("the sensor refused the log-in: " + error_of(answer));
-  if (result_of(answer, 0) == 1) return;
-  throw DeviceRefusal("the sensor refused the log-in as authorised client; was its password changed?");
+  return !is_error(answer) && result_of(answer, 0) == 1;
 }
 
 /// An LMS tells when its motor is up; a TiM does not know the question and scans by itself.
+/// @param patience_s  0 where nobody told the motor to start: then there is nothing to wait for.
 void wait_for_motor(ColaClient& client, double patience_s, const StopSignal& stop) {
   const double deadline_s = steady_now_s() + patience_s;
   while (true) {
     const std::string answer = client.ask("sRN STlms");
     if (is_error(answer) || result_of(answer, kMeasuring) == kMeasuring) return;
+    if (patience_s <= 0.0) {
+      throw DeviceRefusal(
+          "the sensor does not measure, and refused the log-in as authorised client; was its password "
+          "changed?");
+    }
     if (steady_now_s() > deadline_s) {
       throw SensorFault(SensorFault::Kind::kTimeout, "the sensor does not begin to measure");
     }
@@ -58,12 +62,16 @@ void wait_for_motor(ColaClient& client, double patience_s, const StopSignal& sto
 
 void start(ColaClient& client, const ColaOptions& options, const StopSignal& stop) {
   client.ask("sEN LMDscandata 0");  // of a client that was here before
-  log_in(client);
-  // Distances of the first echo alone. Sensors that fix this refuse it; what they send is taken as it comes.
-  client.ask("sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1");
-  client.ask("sMN LMCstartmeas");
-  client.ask("sMN Run");  // while logged in, an LMS sends nothing
-  wait_for_motor(client, options.spin_up_s, stop);
+  // Newer firmware may refuse the log-in, and sensors that measure already stream without it.
+  const bool is_logged_in = log_in(client);
+  if (is_logged_in) {
+    // Distances of the first echo alone. Sensors that fix this refuse it; what they send is taken as it
+    // comes.
+    client.ask("sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1");
+    client.ask("sMN LMCstartmeas");
+    client.ask("sMN Run");  // while logged in, an LMS sends nothing
+  }
+  wait_for_motor(client, is_logged_in ? options.spin_up_s : 0.0, stop);
   const std::string answer = client.ask("sEN LMDscandata 1");
   if (is_error(answer)) throw DeviceRefusal("the sensor refused to stream: " + error_of(answer));
 }

@@ -302,7 +302,7 @@ ScanTelegram EmulatedLms::next_telegram() {
   if (feed_is_partial_) {
     if (next_partial_ == 0) turn_words_ = feed_.next();
     telegram.partial = next_partial_;
-    for (std::size_t i = static_cast<std::size_t>(next_partial_); i < turn_words_.size(); i += 4) {
+    for (auto i = static_cast<std::size_t>(next_partial_); i < turn_words_.size(); i += 4) {
       telegram.words.push_back(turn_words_[i]);
     }
     next_partial_ = (next_partial_ + 1) % 4;
@@ -331,7 +331,7 @@ Bytes EmulatedLms::damaged(Bytes telegram) {
         static_cast<std::uint8_t>(1 << random_below(8));
   }
   if (std::exchange(has_blind_pair_, false)) {
-    const auto at = static_cast<std::size_t>(4 + random_below(2));
+    const std::size_t at = 4U + static_cast<std::size_t>(random_below(2));
     const int bit = random_below(7);
     telegram[at] ^= static_cast<std::uint8_t>(1 << bit);
     telegram[at + 1] ^= static_cast<std::uint8_t>(2 << bit);

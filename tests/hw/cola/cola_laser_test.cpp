@@ -78,6 +78,17 @@ TEST(ColaLaserTest, ARefusedPasswordIsTheEnd) {
   EXPECT_THROW(laser->next(scan, kPatience), DeviceRefusal);
 }
 
+// A TiM scans by itself: nothing of what the log-in is for must be set.
+TEST(ColaLaserTest, StreamsFromATimThatRefusesTheLogIn) {
+  WideSensor source;
+  EmulatedCola sensor(
+      {.is_lms = false, .step = 10000, .scan_period_s = 0.066, .is_paced = false, .refuses_password = true},
+      source);
+  RunningDevice running(sensor);
+  const auto laser = open_cola(network(running.port()));
+  expect_true_scans(*laser, 20, 271);
+}
+
 TEST(ColaLaserTest, RefusesBadOptions) {
   EXPECT_THROW(open_cola({}), InputError);
   EXPECT_THROW(open_cola(network(70000)), InputError);
