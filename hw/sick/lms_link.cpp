@@ -92,41 +92,76 @@ bool LmsLink::next_telegram(WireItem& item, double timeout_s, double& arrival_s)
   return false;
 }
 
+/// Until when an answer is waited for: a while for its first sign, and longer once there was one.
+struct LmsLink::Wait {
+  std::size_t index = 0;  // of the answer among the replies
+  double start_s = 0.0;
+  double first_sign_s = 0.0;
+  double reply_s = 0.0;
+  double deadline_s = 0.0;
+  std::int64_t garbage_at_ack = 0;
+
+  /// Looked at often, so that a false acknowledgement does not hold up the probe of a wrong baud for long.
+  double next_look_s() const { return std::min(deadline_s, std::max(first_sign_s, steady_now_s()) + 0.1); }
+
+  bool is_noise(std::int64_t num_garbage) const {
+    return num_garbage - garbage_at_ack > kMostGarbageAfterAck;
+  }
+
+  void acknowledge(std::int64_t num_garbage) {
+    garbage_at_ack = num_garbage;
+    deadline_s = start_s + reply_s;
+  }
+};
+
+/// Whether the telegram is the answer, or a refusal in its place.
+bool LmsLink::is_answer(ByteView body, std::size_t index, std::optional<LmsReply>& reply) {
+  auto stated = parse_reply(body);
+  if (!stated) return false;
+  const LmsReply& got = stated->reply;
+  if (const auto* type = std::get_if<TypeReply>(&got); type != nullptr && type->is_power_on) {
+    throw LmsReboot("the sensor started anew (" + type->text + ")");
+  }
+  if (got.index() != index && !std::holds_alternative<RefusedReply>(got)) return false;
+  reply = std::move(stated->reply);
+  return true;
+}
+
+/// What an item means for the wait; empty where it goes on.
+std::optional<LmsLink::Try> LmsLink::judge(const WireItem& item, Wait& wait, std::optional<LmsReply>& reply) {
+  const std::int64_t num_garbage = decoder_.counts().num_garbage_bytes;
+  switch (item.kind) {
+    case WireItem::Kind::kNakByte:
+      if (!wait.is_noise(num_garbage)) return Try::kRejected;
+      break;
+    case WireItem::Kind::kAckByte:
+      wait.acknowledge(num_garbage);
+      break;
+    case WireItem::Kind::kTelegram:
+      if (is_answer(item.body, wait.index, reply)) return Try::kAnswered;
+      break;
+  }
+  // Whatever goes on and on, and never answers.
+  return steady_now_s() > wait.start_s + 2.0 * wait.reply_s ? std::optional(Try::kSilence) : std::nullopt;
+}
+
 LmsLink::Try LmsLink::wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply) {
-  const double start_s = steady_now_s();
-  const double reply_s = how.reply_s > 0.0 ? how.reply_s : patience_.reply_s;
+  Wait wait{.index = index, .start_s = steady_now_s()};
+  wait.reply_s = how.reply_s > 0.0 ? how.reply_s : patience_.reply_s;
   // An acknowledgement may get lost, so the answer itself must have the time to arrive.
   const double sign_s =
       how.first_sign_s > 0.0 ? how.first_sign_s : patience_.ack_s + kLongestAnswerBytes * byte_s_;
-  const double first_sign_s = start_s + sign_s;
-  double deadline_s = first_sign_s;
-  std::int64_t garbage_at_ack = decoder_.counts().num_garbage_bytes;
+  wait.deadline_s = wait.first_sign_s = wait.start_s + sign_s;
+  wait.garbage_at_ack = decoder_.counts().num_garbage_bytes;
   WireItem item;
   while (true) {
-    // Looked at often, so that a false acknowledgement does not hold up the probe of a wrong baud for long.
-    const bool has_item = next_item(item, std::min(deadline_s, std::max(first_sign_s, steady_now_s()) + 0.1));
-    const bool is_noise = decoder_.counts().num_garbage_bytes - garbage_at_ack > kMostGarbageAfterAck;
-    if (is_noise) deadline_s = first_sign_s;
-    if (!has_item) {
-      if (steady_now_s() >= deadline_s) return Try::kSilence;
-      continue;
+    const bool has_item = next_item(item, wait.next_look_s());
+    if (wait.is_noise(decoder_.counts().num_garbage_bytes)) wait.deadline_s = wait.first_sign_s;
+    if (has_item) {
+      if (const auto outcome = judge(item, wait, reply)) return *outcome;
+    } else if (steady_now_s() >= wait.deadline_s) {
+      return Try::kSilence;
     }
-    if (item.kind == WireItem::Kind::kNakByte && !is_noise) return Try::kRejected;
-    if (item.kind == WireItem::Kind::kAckByte) {
-      garbage_at_ack = decoder_.counts().num_garbage_bytes;
-      deadline_s = start_s + reply_s;
-    }
-    if (steady_now_s() > start_s + 2.0 * reply_s) return Try::kSilence;
-    if (item.kind != WireItem::Kind::kTelegram) continue;
-    auto stated = parse_reply(item.body);
-    if (!stated) continue;
-    const LmsReply& got = stated->reply;
-    if (const auto* type = std::get_if<TypeReply>(&got); type != nullptr && type->is_power_on) {
-      throw LmsReboot("the sensor started anew (" + type->text + ")");
-    }
-    if (got.index() != index && !std::holds_alternative<RefusedReply>(got)) continue;
-    reply = std::move(stated->reply);
-    return Try::kAnswered;
   }
 }
 

@@ -82,6 +82,9 @@ class LmsLink {
  private:
   enum class Try { kAnswered, kRejected, kSilence };
   LmsReply ask_for(const LmsCommand& command, std::size_t index, const Ask& how);
+  struct Wait;
+  static bool is_answer(ByteView body, std::size_t index, std::optional<LmsReply>& reply);
+  std::optional<Try> judge(const WireItem& item, Wait& wait, std::optional<LmsReply>& reply);
   Try wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply);
   bool next_item(WireItem& item, double deadline_s);
   void rest(double longest_s) const;

@@ -110,7 +110,7 @@ LmsConfiguration write_once(LmsLink& link, const LmsConfiguration& wanted) {
     throw;
   } catch (const SensorFault& fault) {
     if (fault.kind() != SensorFault::Kind::kTimeout) throw;
-    const LmsConfiguration now = read_configuration(link);
+    LmsConfiguration now = read_configuration(link);
     if (serves(now, wanted)) return now;
     throw;
   }
