@@ -39,7 +39,9 @@ std::optional<Leg> detect_leg(const LaserScan& scan, const Points& points, const
 
   Leg leg;
   leg.beams = {points.beam[segment.first], points.beam[segment.last]};
-  leg.middle_m = points[(segment.first + segment.last) / 2];
+  // Of an even number the middle lies between two, so that a mirrored scan has a mirrored leg.
+  leg.middle_m =
+      0.5 * (points[(segment.first + segment.last) / 2] + points[(segment.first + segment.last + 1) / 2]);
   // The paper gives no measure: more points say more, and a width in the middle of the band fits more legs.
   const double middle_m = (options.min_width_m + options.max_width_m) / 2;
   const double off_ratio = std::abs(width_m - middle_m) / (options.max_width_m - options.min_width_m);

@@ -102,7 +102,9 @@ std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members
   double damping = 1e-3;
   for (int step = 0; step < kMaxSteps; ++step) {
     Eigen::Matrix3d damped = equations.information;
-    damped.diagonal() *= 1.0 + damping;
+    // The same for x and y, so that a turned scan takes turned steps.
+    const double place_information = 0.5 * (damped(0, 0) + damped(1, 1));
+    damped.diagonal() += damping * Eigen::Vector3d(place_information, place_information, damped(2, 2));
     const Eigen::Vector3d candidate = arc - damped.inverse() * equations.gradient;
     if (!candidate.allFinite() || candidate.z() <= kMinRadius_m / 2) {
       damping *= 10.0;
