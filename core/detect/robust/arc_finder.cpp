@@ -18,47 +18,26 @@ constexpr double kGoodChi2PerEcho = 1.5;
 // The algebraic chi squared may exceed the geometric one by this factor.
 constexpr double kAlgebraicExcess = 3.0;
 
-double bearing_from_center_rad(const Eigen::Vector2d& point_m, const ArcFit& fit) {
-  const Eigen::Vector2d d_m = point_m - fit.center_m;
-  return std::atan2(d_m.y(), d_m.x());
-}
-
-double arc_in_view_rad(const SurfacedScan& scan, const Arc& arc) {
-  const auto at_rad = [&](int place) {
-    return bearing_from_center_rad(scan.echoes.point_m(scan.order[place]), arc.fit);
-  };
-  return std::abs(wrap_to_pi(at_rad(arc.parts[0].first) - at_rad(arc.last_part().last)));
-}
-
-// What lines would cost on a perfect arc, less what the arc itself costs: how much a true arc gains on
-// average. An arc of sagitta s has a mean squared deviation of (4/45) s^2 from its line; k lines see sagittas
-// of s / k^2.
-double expected_gain(const SurfacedScan& scan, const Arc& arc, const SurfaceOptions& options) {
-  const double sagitta_m = arc.fit.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(scan, arc)));
-  const double sigmas = sagitta_m / scan.echoes.range_noise_m;
-  const double as_line = 4.0 / 45.0 * sigmas * sigmas * arc.num_echoes();
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 1; k <= 4; ++k) least = std::min(least, k * options.line_price + as_line / (k * k * k * k));
-  return std::max(0.0, least - arc.price);
-}
-
 }  // namespace
 
 int Arc::num_echoes() const {
   return parts[0].size() + (num_parts == 2 ? parts[1].size() : 0);
 }
 
-void ArcFinder::find(const SurfacedScan& scan, Stretch surface, const DetectorOptions& options,
-                     std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
+void ArcFinder::begin(const SurfacedScan& scan, const DetectorOptions& options) {
+  scan_.emplace(scan);
   options_ = &options;
-  has_moments_ = false;
+  moments_.begin(scan.echoes, scan.order);
+}
+
+void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   contenders_.clear();
   const auto num_pieces = static_cast<int>(pieces.size());
   for (int i = 0; i < num_pieces; ++i) {
     for (int j = std::min(num_pieces, i + kMaxPiecesOfArc) - 1; j >= i; --j) {
       if (is_part_of_contender(i, j)) continue;
       Contender contender{i, j, {}};
-      if (try_pieces(scan, surface, pieces, contender)) contenders_.push_back(contender);
+      if (try_pieces(surface, pieces, contender)) contenders_.push_back(contender);
     }
   }
   std::sort(contenders_.begin(), contenders_.end(),
@@ -81,40 +60,41 @@ bool ArcFinder::is_part_of_contender(int first_piece, int last_piece) const {
   });
 }
 
-bool ArcFinder::try_pieces(const SurfacedScan& scan, Stretch surface, std::span<const LinePiece> pieces,
-                           Contender& contender) {
+bool ArcFinder::try_pieces(Stretch surface, std::span<const LinePiece> pieces, Contender& contender) {
   const Stretch places{pieces[contender.first_piece].places.first, pieces[contender.last_piece].places.last};
-  if (places.size() < options_->circle.min_points) return false;
+  if (places.size() < options_->circle.min_points || !bulges(places)) return false;
   double cost = 0.0;
   for (int i = contender.first_piece; i <= contender.last_piece; ++i) cost += pieces[i].cost;
-  if (cost <= options_->surface.arc_price || !bulges(scan, places)) return false;
-  if (!has_moments_) moments_.build(scan.echoes, scan.order, surface);
-  has_moments_ = true;
-  if (options_->surface.arc_price + moments_.chi2(places) / kAlgebraicExcess > cost) return false;
-  Arc& arc = contender.arc;
-  arc.parts[0] = places;
-  if (!fit_trimmed(scan, surface, arc) || !is_plausible(arc)) return false;
-  const int num_dropped = places.size() - arc.num_echoes();
-  arc.gain = cost - arc.fit.chi2 - arc.price - options_->surface.clutter_price * num_dropped;
-  return arc.gain > 0.0;
+  contender.arc.parts[0] = places;
+  const double least =
+      ends_of(surface, contender.arc).price + moments_.chi2(surface, places) / kAlgebraicExcess;
+  return least < cost && settle(surface, cost, contender.arc);
 }
 
-std::optional<Arc> ArcFinder::join(const SurfacedScan& scan, Stretch before, Stretch after,
-                                   const DetectorOptions& options, double cost) {
-  options_ = &options;
+std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
-  const int num_echoes = arc.num_echoes();
-  if (num_echoes < options.circle.min_points) return std::nullopt;
-  if (!fit_trimmed(scan, {before.first, after.last}, arc) || !is_plausible(arc)) return std::nullopt;
-  const int num_dropped = num_echoes - arc.num_echoes();
-  arc.gain = cost - arc.fit.chi2 - arc.price - options.surface.clutter_price * num_dropped;
-  if (arc.gain <= 0.0) return std::nullopt;
+  if (arc.num_echoes() < options_->circle.min_points) return std::nullopt;
+  const Stretch both{before.first, after.last};
+  const double least = ends_of(both, arc).price + moments_.chi2_of_both(before, after) / kAlgebraicExcess;
+  if (least >= cost || !settle(both, cost, arc)) return std::nullopt;
   return arc;
 }
 
+// Fits an arc and says what it gains against what its echoes cost otherwise.
+bool ArcFinder::settle(Stretch surface, double cost, Arc& arc) {
+  const int num_echoes = arc.num_echoes();
+  if (!fit_trimmed(surface, arc) || !is_plausible(arc)) return false;
+  const Ends ends = ends_of(surface, arc);
+  arc.price = ends.price;
+  const int num_dropped = num_echoes - arc.num_echoes();
+  arc.gain = cost - arc.fit.chi2 - arc.price - options_->surface.clutter_price * num_dropped;
+  if (arc.gain <= 0.0) return false;
+  arc.doubt = doubt_of(arc, ends);
+  return true;
+}
+
 // Quick to see; what does not bulge towards the sensor is no arc.
-bool ArcFinder::bulges(const SurfacedScan& scan, Stretch places) const {
-  const auto point_m = [&](int place) { return scan.echoes.point_m(scan.order[place]); };
+bool ArcFinder::bulges(Stretch places) const {
   const Eigen::Vector2d a_m = point_m(places.first);
   const Eigen::Vector2d chord_m = point_m(places.last) - a_m;
   const Eigen::Vector2d d_m = point_m((places.first + places.last) / 2) - a_m;
@@ -129,46 +109,42 @@ bool ArcFinder::is_plausible(const Arc& arc) const {
          arc.fit.chi2 <= o.max_chi2(arc.num_echoes());
 }
 
-bool ArcFinder::fit_trimmed(const SurfacedScan& scan, Stretch surface, Arc& arc) {
+ArcFinder::Ends ArcFinder::ends_of(Stretch surface, const Arc& arc) const {
+  const SurfaceOptions& o = options_->surface;
+  Ends ends{.witnesses = {}, .num_free = 0, .price = o.arc_price};
+  const auto add = [&](int place, int direction) {
+    const ArcEnd end = arc_end_at(scan_->scan, echoes(), scan_->order, surface, place, direction);
+    if (end.kind == ArcEndKind::kFree) ends.witnesses[ends.num_free++] = end.witness;
+    if (end.kind == ArcEndKind::kHidden) ends.price += o.hidden_end_price;
+    if (end.kind == ArcEndKind::kAttached) ends.price += o.attached_end_price;
+  };
+  add(arc.parts[0].first, -1);
+  add(arc.last_part().last, 1);
+  return ends;
+}
+
+// Mixed pixels at the ends go, round by round.
+bool ArcFinder::fit_trimmed(Stretch surface, Arc& arc) {
   const int num_echoes = arc.num_echoes();
+  std::optional<ArcFit> fit;
   for (int round = 0; round < kMaxTrimRounds; ++round) {
-    if (!fit_between_ends(scan, surface, arc)) return false;
-    if (round + 1 == kMaxTrimRounds || !drop_mixed_ends(scan, arc)) break;
+    members_.clear();
+    for (int part = 0; part < arc.num_parts; ++part) {
+      for (int i = arc.parts[part].first; i <= arc.parts[part].last; ++i) members_.push_back(scan_->order[i]);
+    }
+    const Ends ends = ends_of(surface, arc);
+    fit = fit_arc(echoes(), members_, std::span(ends.witnesses).first(ends.num_free), fit);
+    if (!fit) return false;
+    arc.fit = *fit;
+    if (round + 1 == kMaxTrimRounds || !drop_mixed_ends(arc)) break;
     if (num_echoes - arc.num_echoes() > kMaxTrimmed * arc.num_parts) return false;
   }
   return true;
 }
 
-bool ArcFinder::fit_between_ends(const SurfacedScan& scan, Stretch surface, Arc& arc) {
-  const SurfaceOptions& o = options_->surface;
-  const ArcEnd ends[2] = {arc_end_at(scan.scan, scan.echoes, scan.order, surface, arc.parts[0].first, -1),
-                          arc_end_at(scan.scan, scan.echoes, scan.order, surface, arc.last_part().last, 1)};
-  Witness witnesses[2];
-  std::size_t num_witnesses = 0;
-  arc.price = o.arc_price;
-  for (const ArcEnd& end : ends) {
-    if (end.kind == ArcEndKind::kFree) witnesses[num_witnesses++] = end.witness;
-    if (end.kind == ArcEndKind::kHidden) arc.price += o.hidden_end_price;
-    if (end.kind == ArcEndKind::kAttached) arc.price += o.attached_end_price;
-  }
-  members_.clear();
-  for (int part = 0; part < arc.num_parts; ++part) {
-    for (int i = arc.parts[part].first; i <= arc.parts[part].last; ++i) members_.push_back(scan.order[i]);
-  }
-  const auto fit = fit_arc(scan.echoes, members_, {witnesses, num_witnesses});
-  if (!fit) return false;
-  arc.fit = *fit;
-  const bool is_free = num_witnesses == 2;
-  arc.doubt = is_free ? 0.0 : o.unsure_arc_price;
-  if (!is_free && arc_in_view_rad(scan, arc) < o.shallow_arc_rad) arc.doubt += o.shallow_arc_price;
-  arc.doubt = std::max(arc.doubt,
-                       std::min(o.doubt_ratio * (expected_gain(scan, arc, o) - o.doubt_start), o.max_doubt));
-  return true;
-}
-
-bool ArcFinder::drop_mixed_ends(const SurfacedScan& scan, Arc& arc) const {
+bool ArcFinder::drop_mixed_ends(Arc& arc) const {
   const auto is_off = [&](int place) {
-    return std::abs(arc.fit.residual(scan.echoes, scan.order[place])) > kTrimResidual;
+    return std::abs(arc.fit.residual(echoes(), scan_->order[place])) > kTrimResidual;
   };
   const int before = arc.num_echoes();
   const int least = arc.num_parts == 1 ? options_->circle.min_points : kMinPartEchoes;
@@ -178,6 +154,36 @@ bool ArcFinder::drop_mixed_ends(const SurfacedScan& scan, Arc& arc) const {
     while (places.size() > least && is_off(places.last)) --places.last;
   }
   return arc.num_echoes() < before;
+}
+
+double ArcFinder::arc_in_view_rad(const Arc& arc) const {
+  const Eigen::Vector2d a = point_m(arc.parts[0].first) - arc.fit.center_m;
+  const Eigen::Vector2d b = point_m(arc.last_part().last) - arc.fit.center_m;
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+}
+
+double ArcFinder::doubt_of(const Arc& arc, const Ends& ends) const {
+  const SurfaceOptions& o = options_->surface;
+  double doubt = 0.0;
+  if (ends.num_free < 2) {
+    doubt = o.unsure_arc_price;
+    if (arc_in_view_rad(arc) < o.shallow_arc_rad) doubt += o.shallow_arc_price;
+  }
+  return std::max(doubt, std::min(o.doubt_ratio * (expected_gain(arc) - o.doubt_start), o.max_doubt));
+}
+
+// What lines would cost on a perfect arc, less what the arc itself costs: how much a true arc gains on
+// average. An arc of sagitta s has a mean squared deviation of (4/45) s^2 from its line; k lines see sagittas
+// of s / k^2.
+double ArcFinder::expected_gain(const Arc& arc) const {
+  const double sagitta_m = arc.fit.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(arc)));
+  const double sigmas = sagitta_m / echoes().range_noise_m;
+  const double as_line = 4.0 / 45.0 * sigmas * sigmas * arc.num_echoes();
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 1; k <= 4; ++k) {
+    least = std::min(least, k * options_->surface.line_price + as_line / (k * k * k * k));
+  }
+  return std::max(0.0, least - arc.price);
 }
 
 }  // namespace scanbed

@@ -33,21 +33,22 @@ struct Arc {
 struct SurfacedScan {
   const LaserScan& scan;
   const Echoes& echoes;
-  const std::vector<int>& order;
+  const std::vector<int>& order;  ///< SurfaceRuns::order
 };
 
 /// Looks for arcs that explain a surface at less cost than lines do.
 class ArcFinder {
  public:
+  /// Begins a scan; what it refers to lives as long as arcs are looked for.
+  void begin(const SurfacedScan& scan, const DetectorOptions& options);
+
   /// Appends the arcs of one surface that gain, the best where they contend, and marks the pieces they take.
-  void find(const SurfacedScan& scan, Stretch surface, const DetectorOptions& options,
-            std::span<LinePiece> pieces, std::vector<Arc>& arcs);
+  void find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs);
 
   /// One arc through two surfaces with something nearer between them.
   ///
   /// @param cost  of explaining the two otherwise. @returns the arc where it gains against that.
-  std::optional<Arc> join(const SurfacedScan& scan, Stretch before, Stretch after,
-                          const DetectorOptions& options, double cost);
+  std::optional<Arc> join(Stretch before, Stretch after, double cost);
 
  private:
   /// Contenders of one surface: pieces [first_piece, last_piece] as one arc.
@@ -57,18 +58,30 @@ class ArcFinder {
     Arc arc;
   };
 
-  bool is_part_of_contender(int first_piece, int last_piece) const;
-  bool try_pieces(const SurfacedScan& scan, Stretch surface, std::span<const LinePiece> pieces,
-                  Contender& contender);
-  bool bulges(const SurfacedScan& scan, Stretch places) const;
-  bool fit_trimmed(const SurfacedScan& scan, Stretch surface, Arc& arc);
-  bool fit_between_ends(const SurfacedScan& scan, Stretch surface, Arc& arc);
-  bool drop_mixed_ends(const SurfacedScan& scan, Arc& arc) const;
-  bool is_plausible(const Arc& arc) const;
+  /// What lies beyond the ends of an arc: what they cost, and the beams that pass by.
+  struct Ends {
+    std::array<Witness, 2> witnesses;
+    int num_free = 0;
+    double price = 0.0;
+  };
 
+  bool is_part_of_contender(int first_piece, int last_piece) const;
+  bool try_pieces(Stretch surface, std::span<const LinePiece> pieces, Contender& contender);
+  bool settle(Stretch surface, double cost, Arc& arc);
+  bool bulges(Stretch places) const;
+  Ends ends_of(Stretch surface, const Arc& arc) const;
+  bool fit_trimmed(Stretch surface, Arc& arc);
+  bool drop_mixed_ends(Arc& arc) const;
+  bool is_plausible(const Arc& arc) const;
+  double arc_in_view_rad(const Arc& arc) const;
+  double doubt_of(const Arc& arc, const Ends& ends) const;
+  double expected_gain(const Arc& arc) const;
+  const Echoes& echoes() const { return scan_->echoes; }
+  Eigen::Vector2d point_m(int place) const { return scan_->echoes.point_m(scan_->order[place]); }
+
+  std::optional<SurfacedScan> scan_;
   const DetectorOptions* options_ = nullptr;
   ArcMoments moments_;
-  bool has_moments_ = false;
   std::vector<Contender> contenders_;
   std::vector<int> members_;
 };

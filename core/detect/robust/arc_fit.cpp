@@ -51,22 +51,40 @@ struct NormalEquations {
   }
 };
 
-double slant_of(const Echoes& echoes, int k, const Eigen::Vector3d& arc) {
-  const double beside_m = arc.x() * echoes.uy[k] - arc.y() * echoes.ux[k];
-  const double sine = beside_m / arc.z();
-  return std::max(kMinSlant, std::sqrt(std::max(0.0, 1.0 - sine * sine)));
+// Squared: of the sigma across the surface to that along the beam.
+double slant2_of(double beside_m, double radius_m) {
+  const double sine = beside_m / radius_m;
+  return std::max(kMinSlant * kMinSlant, 1.0 - sine * sine);
 }
 
 NormalEquations linearize(const Echoes& echoes, std::span<const int> members,
                           std::span<const Witness> witnesses, const Eigen::Vector3d& arc) {
   NormalEquations sum;
+  // The cylinder as a vector of sums: what a matrix would hold twice is added once.
+  double xx = 0, xy = 0, yy = 0, x = 0, y = 0, w = 0, xe = 0, ye = 0, e = 0, ee = 0;
   for (const int k : members) {
-    const Eigen::Vector2d from_center_m = echoes.point_m(k) - arc.head<2>();
-    const double distance_m = std::max(1e-9, from_center_m.norm());
-    const double weight = 1.0 / (echoes.sigma_m[k] * slant_of(echoes, k, arc));
-    sum.add((distance_m - arc.z()) * weight,
-            weight * Eigen::Vector3d(-from_center_m.x() / distance_m, -from_center_m.y() / distance_m, -1.0));
+    const double dx_m = echoes.x_m[k] - arc.x();
+    const double dy_m = echoes.y_m[k] - arc.y();
+    const double distance_m = std::max(1e-9, std::sqrt(dx_m * dx_m + dy_m * dy_m));
+    const double slant2 = slant2_of(arc.x() * echoes.uy[k] - arc.y() * echoes.ux[k], arc.z());
+    const double weight = 1.0 / (echoes.sigma_m[k] * echoes.sigma_m[k] * slant2);
+    const double nx = -dx_m / distance_m;
+    const double ny = -dy_m / distance_m;
+    const double error_m = distance_m - arc.z();
+    xx += weight * nx * nx;
+    xy += weight * nx * ny;
+    yy += weight * ny * ny;
+    x += weight * nx;
+    y += weight * ny;
+    w += weight;
+    xe += weight * nx * error_m;
+    ye += weight * ny * error_m;
+    e += weight * error_m;
+    ee += weight * error_m * error_m;
   }
+  sum.information << xx, xy, -x, xy, yy, -y, -x, -y, w;
+  sum.gradient << xe, ye, -e;
+  sum.chi2 = ee;
   const double spacing_m = arc.head<2>().norm() * echoes.step_rad;
   const double weight = 1.0 / (kSilhouetteSpacings * spacing_m + 0.5 * echoes.range_noise_m);
   for (const Witness& witness : witnesses) {
@@ -87,16 +105,21 @@ bool is_plausible(const Eigen::Vector3d& arc) {
 }  // namespace
 
 double ArcFit::residual(const Echoes& echoes, int k) const {
-  const Eigen::Vector3d arc(center_m.x(), center_m.y(), radius_m);
-  return ((echoes.point_m(k) - center_m).norm() - radius_m) / (echoes.sigma_m[k] * slant_of(echoes, k, arc));
+  const double slant2 = slant2_of(center_m.x() * echoes.uy[k] - center_m.y() * echoes.ux[k], radius_m);
+  return ((echoes.point_m(k) - center_m).norm() - radius_m) / (echoes.sigma_m[k] * std::sqrt(slant2));
 }
 
 std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members,
-                              std::span<const Witness> witnesses) {
+                              std::span<const Witness> witnesses, const std::optional<ArcFit>& start) {
   if (members.size() < 3) return std::nullopt;
-  const auto start = algebraic_start(echoes, members);
-  if (!start) return std::nullopt;
-  Eigen::Vector3d arc = *start;
+  std::optional<Eigen::Vector3d> begin;
+  if (start) {
+    begin.emplace(start->center_m.x(), start->center_m.y(), start->radius_m);
+  } else {
+    begin = algebraic_start(echoes, members);
+  }
+  if (!begin) return std::nullopt;
+  Eigen::Vector3d arc = *begin;
   arc.z() = std::clamp(arc.z(), 2.0 * kMinRadius_m, 0.9 * kMaxRadius_m);
   NormalEquations equations = linearize(echoes, members, witnesses, arc);
   double damping = 1e-3;

@@ -31,8 +31,10 @@ struct ArcFit {
 /// A few noisy beams leave the radius open; what fixes it is the silhouette: the witnesses must miss the
 /// cylinder.
 /// @param members  indices into echoes, at least 3.
+/// @param start    where to begin in place of the algebraic fit: a fit of nearly the same echoes.
 /// @returns empty where no cylinder in front of which the echoes lie can be fitted.
 std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members,
-                              std::span<const Witness> witnesses);
+                              std::span<const Witness> witnesses,
+                              const std::optional<ArcFit>& start = std::nullopt);
 
 }  // namespace scanbed

@@ -1,44 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/robust/arc_moments.hpp"
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 
 namespace scanbed {
 
-void ArcMoments::build(const Echoes& echoes, const std::vector<int>& order, Stretch surface) {
-  first_ = surface.first;
-  origin_m_ = echoes.point_m(order[surface.first]);
-  sums_.resize(static_cast<std::size_t>(surface.size()) + 1);
+void ArcMoments::begin(const Echoes& echoes, const std::vector<int>& order) {
+  echoes_ = &echoes;
+  order_ = &order;
+  sums_.resize(order.size());
+  is_summed_.assign(order.size(), 0);
+}
+
+void ArcMoments::sum_up(Stretch surface) {
+  if (is_summed_[surface.first] != 0) return;
+  is_summed_[surface.first] = 1;
   Sums sum;
-  sums_[0] = sum;
-  for (int i = 0; i < surface.size(); ++i) {
-    const int k = order[surface.first + i];
-    const Eigen::Vector2d p = echoes.point_m(k) - origin_m_;
-    const double w = 1.0 / (echoes.sigma_m[k] * echoes.sigma_m[k]);
-    const double z = p.squaredNorm();
+  for (int i = surface.first; i <= surface.last; ++i) {
+    const int k = (*order_)[i];
+    const double x = echoes_->x_m[k];
+    const double y = echoes_->y_m[k];
+    const double w = 1.0 / (echoes_->sigma_m[k] * echoes_->sigma_m[k]);
+    const double z = x * x + y * y;
     sum.w += w;
-    sum.x += w * p.x();
-    sum.y += w * p.y();
-    sum.xx += w * p.x() * p.x();
-    sum.xy += w * p.x() * p.y();
-    sum.yy += w * p.y() * p.y();
-    sum.xz += w * p.x() * z;
-    sum.yz += w * p.y() * z;
+    sum.x += w * x;
+    sum.y += w * y;
+    sum.xx += w * x * x;
+    sum.xy += w * x * y;
+    sum.yy += w * y * y;
+    sum.xz += w * x * z;
+    sum.yz += w * y * z;
     sum.zz += w * z * z;
-    sums_[i + 1] = sum;
+    sums_[i] = sum;
   }
 }
 
-ArcMoments::Sums ArcMoments::between(Stretch places) const {
-  const Sums& a = sums_[places.first - first_];
-  const Sums& b = sums_[places.last - first_ + 1];
-  return {b.w - a.w,   b.x - a.x,   b.y - a.y,   b.xx - a.xx, b.xy - a.xy,
-          b.yy - a.yy, b.xz - a.xz, b.yz - a.yz, b.zz - a.zz};
+double ArcMoments::chi2(Stretch surface, Stretch places) {
+  sum_up(surface);
+  if (places.first == surface.first) return chi2_of(sums_[places.last]);
+  const Sums& a = sums_[places.first - 1];
+  const Sums& b = sums_[places.last];
+  return chi2_of({b.w - a.w, b.x - a.x, b.y - a.y, b.xx - a.xx, b.xy - a.xy, b.yy - a.yy, b.xz - a.xz,
+                  b.yz - a.yz, b.zz - a.zz});
 }
 
-double ArcMoments::chi2(Stretch places) const {
+double ArcMoments::chi2_of_both(Stretch a, Stretch b) {
+  sum_up(a);
+  sum_up(b);
+  const Sums& s = sums_[a.last];
+  const Sums& t = sums_[b.last];
+  return chi2_of({s.w + t.w, s.x + t.x, s.y + t.y, s.xx + t.xx, s.xy + t.xy, s.yy + t.yy, s.xz + t.xz,
+                  s.yz + t.yz, s.zz + t.zz});
+}
+
+double ArcMoments::chi2_of(const Sums& s) {
   constexpr double kNoArc = std::numeric_limits<double>::infinity();
-  const Sums s = between(places);
   const double mx = s.x / s.w;
   const double my = s.y / s.w;
   const double z = s.xx + s.yy;
@@ -56,7 +74,7 @@ double ArcMoments::chi2(Stretch places) const {
   const double rest = zz + d * xz + e * yz;
   const Eigen::Vector2d center(-0.5 * d, -0.5 * e);
   const Eigen::Vector2d mean(mx, my);
-  if ((mean - center).dot(center + origin_m_) >= 0.0) return kNoArc;
+  if ((mean - center).dot(center) >= 0.0) return kNoArc;
   const double radius2 = (center - mean).squaredNorm() + (z - mx * s.x - my * s.y) / s.w;
   return std::max(0.0, rest) / (4.0 * radius2);
 }

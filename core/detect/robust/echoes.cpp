@@ -10,24 +10,12 @@ namespace {
 constexpr double kDefaultNoise_m = 0.006;
 constexpr double kSmoothStep_m = 0.12;  // a third difference across larger steps is an edge, not noise
 constexpr int kMinDifferences = 12;
+constexpr double kBin_m = 0.00025;      // of a difference; 0.00008 of a sigma
 constexpr double kGrazingRatio = 0.35;  // error of range per step to the neighbour
 constexpr double kGrazingStep_m = 0.05;
 
-double noise_of(std::vector<double>& differences_m, const SurfaceOptions& options) {
-  const auto within = [&](double noise_m) {
-    return std::clamp(noise_m, options.min_noise_m, options.max_noise_m);
-  };
-  if (differences_m.size() < kMinDifferences) return within(kDefaultNoise_m);
-  // The median of |x| is 0.6745 sigma; it is blind to the edges that the test for smoothness let through.
-  const auto middle = differences_m.begin() + static_cast<std::ptrdiff_t>(differences_m.size() / 2);
-  std::nth_element(differences_m.begin(), middle, differences_m.end());
-  const double sigma_m = *middle / 0.6745 / std::sqrt(20.0);
-  return within(options.noise_inflation * sigma_m);
-}
-
-// Least step to the neighbours where both steps have one sign and are large, else 0.
+// Least step to both neighbours where both steps have one sign and are large, else 0.
 double grazing_step_m(const Echoes& echoes, int k) {
-  if (k == 0 || k + 1 == echoes.size()) return 0.0;
   if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) return 0.0;
   const double before_m = echoes.range_m[k] - echoes.range_m[k - 1];
   const double after_m = echoes.range_m[k + 1] - echoes.range_m[k];
@@ -37,6 +25,27 @@ double grazing_step_m(const Echoes& echoes, int k) {
 }
 
 }  // namespace
+
+void NoiseHistogram::clear() {
+  counts_.fill(0);
+  num_counted_ = 0;
+}
+
+void NoiseHistogram::add(double difference_m) {
+  ++counts_[std::min(static_cast<int>(std::abs(difference_m) / kBin_m), kNumBins - 1)];
+  ++num_counted_;
+}
+
+// The median of |x| is 0.6745 sigma; it is blind to the edges that the test for smoothness let through.
+std::optional<double> NoiseHistogram::sigma_m() const {
+  if (num_counted_ < kMinDifferences) return std::nullopt;
+  const double half = 0.5 * num_counted_;
+  double below = 0.0;
+  int bin = 0;
+  while (below + counts_[bin] < half) below += counts_[bin++];
+  const double median_m = kBin_m * (bin + (half - below) / counts_[bin]);
+  return median_m / 0.6745 / std::sqrt(20.0);
+}
 
 void EchoReader::tabulate(const ScanGeometry& geometry, int num_beams) {
   geometry_ = geometry;
@@ -59,27 +68,43 @@ void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echo
   echoes.range_m.clear();
   echoes.ux.clear();
   echoes.uy.clear();
+  echoes.x_m.clear();
+  echoes.y_m.clear();
   for (int i = 0; i < num_beams; ++i) {
+    const double range_m = scan.range_m[i];
     // A range of 0 has no direction to fit anything to.
-    if (!scan.has_echo(i) || scan.range_m[i] <= 0.0) continue;
+    if (!std::isfinite(range_m) || range_m <= 0.0) continue;
     echoes.beam.push_back(i);
-    echoes.range_m.push_back(scan.range_m[i]);
+    echoes.range_m.push_back(range_m);
     echoes.ux.push_back(cos_[i]);
     echoes.uy.push_back(sin_[i]);
+    echoes.x_m.push_back(range_m * cos_[i]);
+    echoes.y_m.push_back(range_m * sin_[i]);
   }
   echoes.step_rad = std::abs(g.step_rad);
-  differences_.clear();
+  estimate_noise(options, echoes);
+  spread_noise(echoes);
+}
+
+void EchoReader::estimate_noise(const SurfaceOptions& options, Echoes& echoes) {
+  noise_.clear();
   const std::vector<double>& r = echoes.range_m;
   for (int k = 3; k < echoes.size(); ++k) {
     const double spread_m =
         std::abs(r[k] - r[k - 1]) + std::abs(r[k - 1] - r[k - 2]) + std::abs(r[k - 2] - r[k - 3]);
     if (echoes.beam[k] - echoes.beam[k - 3] != 3 || spread_m > kSmoothStep_m) continue;
-    differences_.push_back(std::abs(r[k] - 3.0 * r[k - 1] + 3.0 * r[k - 2] - r[k - 3]));
+    noise_.add(r[k] - 3.0 * r[k - 1] + 3.0 * r[k - 2] - r[k - 3]);
   }
-  echoes.range_noise_m = noise_of(differences_, options);
-  echoes.sigma_m.resize(r.size());
-  for (int k = 0; k < echoes.size(); ++k) {
-    echoes.sigma_m[k] = std::hypot(echoes.range_noise_m, kGrazingRatio * grazing_step_m(echoes, k));
+  const std::optional<double> sigma_m = noise_.sigma_m();
+  echoes.range_noise_m = std::clamp(sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m,
+                                    options.min_noise_m, options.max_noise_m);
+}
+
+void EchoReader::spread_noise(Echoes& echoes) const {
+  echoes.sigma_m.assign(echoes.range_m.size(), echoes.range_noise_m);
+  for (int k = 1; k + 1 < echoes.size(); ++k) {
+    const double step_m = grazing_step_m(echoes, k);
+    if (step_m > 0.0) echoes.sigma_m[k] = std::hypot(echoes.range_noise_m, kGrazingRatio * step_m);
   }
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/detect/robust/surface_options.hpp"
@@ -13,13 +15,29 @@ namespace scanbed {
 struct Echoes {
   std::vector<int> beam;
   std::vector<double> range_m;
-  std::vector<double> ux, uy;   ///< unit direction of the beam
-  std::vector<double> sigma_m;  ///< standard deviation of the range
-  double step_rad = 0.0;        ///< between neighbouring beams, positive
-  double range_noise_m = 0.0;   ///< sigma of a range on a plain surface
+  std::vector<double> ux, uy;    ///< unit direction of the beam
+  std::vector<double> x_m, y_m;  ///< the point
+  std::vector<double> sigma_m;   ///< standard deviation of the range
+  double step_rad = 0.0;         ///< between neighbouring beams, positive
+  double range_noise_m = 0.0;    ///< sigma of a range on a plain surface
 
   int size() const { return static_cast<int>(beam.size()); }
-  Eigen::Vector2d point_m(int k) const { return range_m[k] * Eigen::Vector2d(ux[k], uy[k]); }
+  Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }
+};
+
+/// Median of third differences of range, by counting.
+class NoiseHistogram {
+ public:
+  void clear();
+  void add(double difference_m);
+
+  /// Sigma of the ranges whose differences were added; empty where they are too few to tell.
+  std::optional<double> sigma_m() const;
+
+ private:
+  static constexpr int kNumBins = 512;
+  std::array<int, kNumBins> counts_{};
+  int num_counted_ = 0;
 };
 
 /// Fills `echoes` from a scan: directions, the scan's own range noise, and the error of each range.
@@ -33,11 +51,13 @@ class EchoReader {
   void read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes);
 
  private:
+  void estimate_noise(const SurfaceOptions& options, Echoes& echoes);
+  void spread_noise(Echoes& echoes) const;
   void tabulate(const ScanGeometry& geometry, int num_beams);
 
   ScanGeometry geometry_;
   std::vector<double> cos_, sin_;
-  std::vector<double> differences_;
+  NoiseHistogram noise_;
 };
 
 }  // namespace scanbed

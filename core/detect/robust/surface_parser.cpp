@@ -25,6 +25,7 @@ void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, const Det
   pieces_.clear();
   arcs_.clear();
   const SurfacedScan surfaced{scan, echoes, runs_.order};
+  arc_finder_.begin(surfaced, options);
   for (int i = 0; i < runs_.num_runs(); ++i) {
     if (runs_.run(i).size() >= kMinJoinedEchoes) explain(surfaced, runs_.run(i));
   }
@@ -42,7 +43,7 @@ void SurfaceParser::explain(const SurfacedScan& scan, Stretch surface) {
   line_splitter_.split(scan.echoes, scan.order, sums_, surface, options_->surface, pieces_);
   explained.num_pieces = static_cast<int>(pieces_.size()) - explained.first_piece;
   if (surface.size() >= kMinSurfaceEchoes) {
-    arc_finder_.find(scan, surface, *options_, pieces_of(explained), arcs_);
+    arc_finder_.find(surface, pieces_of(explained), arcs_);
   }
   explained.num_arcs = static_cast<int>(arcs_.size()) - explained.first_arc;
   for (const LinePiece& piece : pieces_of(explained)) explained.cost += piece.cost;
@@ -62,7 +63,7 @@ void SurfaceParser::join_across_occluders(const SurfacedScan& scan) {
     for (std::size_t j = i + 1; j < surfaces_.size(); ++j) {
       const int first_beam = scan.echoes.beam[scan.order[surfaces_[j].places.first]];
       if (first_beam > hidden_until + 1) break;
-      if (may_go_on(scan, surfaces_[i], surfaces_[j]) && join(scan, surfaces_[i], surfaces_[j])) break;
+      if (may_go_on(scan, surfaces_[i], surfaces_[j]) && join(surfaces_[i], surfaces_[j])) break;
     }
   }
 }
@@ -97,10 +98,10 @@ bool SurfaceParser::may_go_on(const SurfacedScan& scan, const Explained& before,
   return true;
 }
 
-bool SurfaceParser::join(const SurfacedScan& scan, Explained& before, Explained& after) {
+bool SurfaceParser::join(Explained& before, Explained& after) {
   const double as_line = options_->surface.line_price + sums_.fit_both(before.places, after.places).chi2;
   const double cost = std::min(before.cost + after.cost, as_line);
-  const auto arc = arc_finder_.join(scan, before.places, after.places, *options_, cost);
+  const auto arc = arc_finder_.join(before.places, after.places, cost);
   if (!arc) return false;
   release(before);
   release(after);

@@ -41,7 +41,7 @@ class SurfaceParser {
   void join_across_occluders(const SurfacedScan& scan);
   int last_hidden_beam(const SurfacedScan& scan, int echo) const;
   bool may_go_on(const SurfacedScan& scan, const Explained& before, const Explained& after) const;
-  bool join(const SurfacedScan& scan, Explained& before, Explained& after);
+  bool join(Explained& before, Explained& after);
   void release(Explained& surface);
   std::span<LinePiece> pieces_of(const Explained& surface);
   void report_lines(const SurfacedScan& scan, Features& features) const;
