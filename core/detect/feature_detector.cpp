@@ -27,6 +27,13 @@ void FeatureDetector::set_options(const DetectorOptions& options) {
 
 const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
+  const bool is_paper = options_.pipeline == Pipeline::kPaper;
+  if (is_paper || options_.leg.enabled) detect_in_segments(scan);
+  if (!is_paper) detect_surfaces(scan);
+  return features_;
+}
+
+void FeatureDetector::detect_in_segments(const LaserScan& scan) {
   projector_.project(scan, points_);
   segment_points(points_, options_.segmentation, segments_);
   for (const Segment& segment : segments_) {
@@ -35,8 +42,6 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
       features_.legs.push_back(*leg);
     }
   }
-  if (options_.pipeline == Pipeline::kRobust) detect_surfaces(scan);
-  return features_;
 }
 
 void FeatureDetector::detect_surfaces(const LaserScan& scan) {

@@ -33,6 +33,7 @@ class FeatureDetector {
   const Features& detect(const LaserScan& scan);
 
  private:
+  void detect_in_segments(const LaserScan& scan);
   void detect_surfaces(const LaserScan& scan);
   void detect_in_segment(const Segment& segment);
   void detect_arcs_beside_lines(const Segment& segment, int first_line);

@@ -2,6 +2,7 @@
 #include "core/detect/robust/arc_ends.hpp"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace scanbed {
 namespace {
@@ -11,6 +12,17 @@ constexpr int kMaxMixedBeams = 2;
 constexpr double kNearer_m = 0.1;
 constexpr double kFarther_m = 0.15;
 constexpr double kSameSurface_m = 0.03;
+
+// The direction of a beam so many steps from that of an echo.
+Witness turned(const Echoes& echoes, int echo, int num_steps) {
+  Witness beam{echoes.ux[echo], echoes.uy[echo]};
+  const double cosine = echoes.step.x();
+  const double sine = num_steps < 0 ? -echoes.step.y() : echoes.step.y();
+  for (int i = std::abs(num_steps); i > 0; --i) {
+    beam = {beam.ux * cosine - beam.uy * sine, beam.uy * cosine + beam.ux * sine};
+  }
+  return beam;
+}
 
 }  // namespace
 
@@ -25,8 +37,7 @@ ArcEnd arc_end_at(const LaserScan& scan, const Echoes& echoes, const std::vector
     const double beyond_m = scan.range_m[beam] - end_m;
     if (beyond_m < -kNearer_m) return {ArcEndKind::kHidden, {}};
     if (beyond_m > kFarther_m) {
-      const double bearing_rad = scan.geometry.bearing_rad(beam);
-      return {ArcEndKind::kFree, {std::cos(bearing_rad), std::sin(bearing_rad)}};
+      return {ArcEndKind::kFree, turned(echoes, echo, i * direction)};
     }
     if (goes_on && i == 1 && std::abs(beyond_m) < kSameSurface_m) return {ArcEndKind::kAttached, {}};
   }

@@ -16,7 +16,7 @@ constexpr double kTrimResidual = 3.0;
 constexpr int kMinPartEchoes = 2;
 constexpr double kGoodChi2PerEcho = 1.5;
 // The algebraic chi squared may exceed the geometric one by this factor.
-constexpr double kAlgebraicExcess = 3.0;
+constexpr double kAlgebraicExcess = 1.6;
 
 }  // namespace
 

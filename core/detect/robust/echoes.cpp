@@ -16,8 +16,8 @@ constexpr double kGrazingStep_m = 0.05;
 
 // Least step to both neighbours where both steps have one sign and are large, else 0.
 double grazing_step_m(const Echoes& echoes, int k) {
-  if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) return 0.0;
   const double before_m = echoes.range_m[k] - echoes.range_m[k - 1];
+  if (std::abs(before_m) <= kGrazingStep_m || echoes.beam[k + 1] - echoes.beam[k - 1] != 2) return 0.0;
   const double after_m = echoes.range_m[k + 1] - echoes.range_m[k];
   if (before_m * after_m <= 0.0) return 0.0;
   const double smaller_m = std::min(std::abs(before_m), std::abs(after_m));
@@ -49,6 +49,7 @@ std::optional<double> NoiseHistogram::sigma_m() const {
 
 void EchoReader::tabulate(const ScanGeometry& geometry, int num_beams) {
   geometry_ = geometry;
+  step_ = {std::cos(geometry.step_rad), std::sin(geometry.step_rad)};
   cos_.resize(num_beams);
   sin_.resize(num_beams);
   for (int i = 0; i < num_beams; ++i) {
@@ -64,24 +65,28 @@ void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echo
       g.step_rad != geometry_.step_rad) {
     tabulate(g, num_beams);
   }
-  echoes.beam.clear();
-  echoes.range_m.clear();
-  echoes.ux.clear();
-  echoes.uy.clear();
-  echoes.x_m.clear();
-  echoes.y_m.clear();
+  echoes.beam.resize(num_beams);
+  for (std::vector<double>* column : {&echoes.range_m, &echoes.ux, &echoes.uy, &echoes.x_m, &echoes.y_m}) {
+    column->resize(num_beams);
+  }
+  int num_echoes = 0;
   for (int i = 0; i < num_beams; ++i) {
     const double range_m = scan.range_m[i];
-    // A range of 0 has no direction to fit anything to.
-    if (!std::isfinite(range_m) || range_m <= 0.0) continue;
-    echoes.beam.push_back(i);
-    echoes.range_m.push_back(range_m);
-    echoes.ux.push_back(cos_[i]);
-    echoes.uy.push_back(sin_[i]);
-    echoes.x_m.push_back(range_m * cos_[i]);
-    echoes.y_m.push_back(range_m * sin_[i]);
+    // Overwritten by the next one where this is no echo; a range of 0 has no direction to fit anything to.
+    echoes.beam[num_echoes] = i;
+    echoes.range_m[num_echoes] = range_m;
+    echoes.ux[num_echoes] = cos_[i];
+    echoes.uy[num_echoes] = sin_[i];
+    echoes.x_m[num_echoes] = range_m * cos_[i];
+    echoes.y_m[num_echoes] = range_m * sin_[i];
+    num_echoes += std::isfinite(range_m) && range_m > 0.0 ? 1 : 0;
+  }
+  echoes.beam.resize(num_echoes);
+  for (std::vector<double>* column : {&echoes.range_m, &echoes.ux, &echoes.uy, &echoes.x_m, &echoes.y_m}) {
+    column->resize(num_echoes);
   }
   echoes.step_rad = std::abs(g.step_rad);
+  echoes.step = step_;
   estimate_noise(options, echoes);
   spread_noise(echoes);
 }

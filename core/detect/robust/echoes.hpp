@@ -15,11 +15,12 @@ namespace scanbed {
 struct Echoes {
   std::vector<int> beam;
   std::vector<double> range_m;
-  std::vector<double> ux, uy;    ///< unit direction of the beam
-  std::vector<double> x_m, y_m;  ///< the point
-  std::vector<double> sigma_m;   ///< standard deviation of the range
-  double step_rad = 0.0;         ///< between neighbouring beams, positive
-  double range_noise_m = 0.0;    ///< sigma of a range on a plain surface
+  std::vector<double> ux, uy;                       ///< unit direction of the beam
+  std::vector<double> x_m, y_m;                     ///< the point
+  std::vector<double> sigma_m;                      ///< standard deviation of the range
+  double step_rad = 0.0;                            ///< between neighbouring beams, positive
+  Eigen::Vector2d step = Eigen::Vector2d::UnitX();  ///< (cos, sin) of the signed step
+  double range_noise_m = 0.0;                       ///< sigma of a range on a plain surface
 
   int size() const { return static_cast<int>(beam.size()); }
   Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }
@@ -57,6 +58,7 @@ class EchoReader {
 
   ScanGeometry geometry_;
   std::vector<double> cos_, sin_;
+  Eigen::Vector2d step_ = Eigen::Vector2d::UnitX();
   NoiseHistogram noise_;
 };
 

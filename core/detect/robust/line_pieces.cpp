@@ -60,8 +60,8 @@ int LineSplitter::best_split(Stretch places) const {
 
 int LineSplitter::climb_to_best_split(Stretch places, int split) const {
   const auto chi2_at = [&](int s) {
-    return (s > places.first ? sums_->fit(places.first, s).chi2 : 0.0) +
-           (s + 1 < places.last ? sums_->fit(s + 1, places.last).chi2 : 0.0);
+    return (s > places.first ? sums_->chi2(places.first, s) : 0.0) +
+           (s + 1 < places.last ? sums_->chi2(s + 1, places.last) : 0.0);
   };
   double best = chi2_at(split);
   const auto move_to = [&](int s) {

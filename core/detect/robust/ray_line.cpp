@@ -47,6 +47,14 @@ RayLine RayLineSums::fit(int first, int last) const {
   return solve(between(first, last));
 }
 
+double RayLineSums::chi2(int first, int last) const {
+  const Sums s = between(first, last);
+  const double determinant = s.cc * s.ss - s.cs * s.cs;
+  if (determinant <= 0.0) return 0.0;
+  const double explained = s.ss * s.cy * s.cy - 2.0 * s.cs * s.cy * s.sy + s.cc * s.sy * s.sy;
+  return std::max(0.0, s.yy - explained / determinant);
+}
+
 RayLine RayLineSums::fit_both(Stretch a, Stretch b) const {
   Sums sums = between(a.first, a.last);
   const Sums other = between(b.first, b.last);

@@ -24,6 +24,9 @@ class RayLineSums {
   /// Weighted least squares over places [first, last] of the order. @pre last > first.
   RayLine fit(int first, int last) const;
 
+  /// Of that fit.
+  double chi2(int first, int last) const;
+
   /// One line through both.
   RayLine fit_both(Stretch a, Stretch b) const;
 
