@@ -30,16 +30,16 @@ TEST(ArcEndsTest, AFreeEndIsPassedByABeamThatSeesFarther) {
   EXPECT_EQ(ends.low.kind, ArcEndKind::kFree);
   EXPECT_EQ(ends.high.kind, ArcEndKind::kFree);
   const ScanGeometry geometry;
-  EXPECT_DOUBLE_EQ(ends.high.witness.ux, std::cos(geometry.bearing_rad(4)));
-  EXPECT_DOUBLE_EQ(ends.high.witness.uy, std::sin(geometry.bearing_rad(4)));
+  EXPECT_NEAR(ends.high.witness.ux, std::cos(geometry.bearing_rad(4)), 1e-12);
+  EXPECT_NEAR(ends.high.witness.uy, std::sin(geometry.bearing_rad(4)), 1e-12);
 }
 
 TEST(ArcEndsTest, MixedBeamsAreNoWitnesses) {
   const Ends ends = ends_of({5.0, 2.1, 2.0, 1.9, 2.0, 2.12, 2.14, 5.0}, 2, 4, {2, 4});
   EXPECT_EQ(ends.low.kind, ArcEndKind::kFree);
-  EXPECT_DOUBLE_EQ(ends.low.witness.ux, std::cos(ScanGeometry{}.bearing_rad(0)));
+  EXPECT_NEAR(ends.low.witness.ux, std::cos(ScanGeometry{}.bearing_rad(0)), 1e-12);
   EXPECT_EQ(ends.high.kind, ArcEndKind::kFree);
-  EXPECT_DOUBLE_EQ(ends.high.witness.ux, std::cos(ScanGeometry{}.bearing_rad(7)));
+  EXPECT_NEAR(ends.high.witness.ux, std::cos(ScanGeometry{}.bearing_rad(7)), 1e-12);
 }
 
 TEST(ArcEndsTest, SomethingNearerAndTheEdgeOfViewMayHideTheRest) {

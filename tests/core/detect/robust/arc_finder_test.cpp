@@ -23,8 +23,14 @@ struct Parsed {
     std::vector<LinePiece> pieces;
     LineSplitter().split(echoes, runs.order, sums, runs.run(run), options.surface, pieces);
     std::vector<Arc> arcs;
-    ArcFinder().find({scan, echoes, runs.order}, runs.run(run), options, pieces, arcs);
+    finder().find(runs.run(run), pieces, arcs);
     return arcs;
+  }
+
+  ArcFinder finder() const {
+    ArcFinder finder;
+    finder.begin({scan, echoes, runs.order}, options);
+    return finder;
   }
 
   LaserScan scan;
@@ -74,15 +80,14 @@ TEST(ArcFinderTest, TwoPartsOfAColumnAreOneArc) {
   scene.cylinder({1.5, 0.0}, 0.05);
   Parsed parsed(with_noise(scene.scan(), 0.005, 1));
   ASSERT_EQ(parsed.runs.num_runs(), 3);
-  const SurfacedScan surfaced{parsed.scan, parsed.echoes, parsed.runs.order};
-  const auto arc = ArcFinder().join(surfaced, parsed.runs.run(0), parsed.runs.run(2), parsed.options, 60.0);
+  const auto arc = parsed.finder().join(parsed.runs.run(0), parsed.runs.run(2), 60.0);
   ASSERT_TRUE(arc);
   EXPECT_EQ(arc->num_parts, 2);
   EXPECT_NEAR((arc->fit.center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
   EXPECT_NEAR(arc->fit.radius_m, 0.35, 0.02);
   EXPECT_NEAR(arc->gain, 60.0 - arc->price - arc->fit.chi2, 1e-9);
   // What costs less than the arc is not given up for it.
-  EXPECT_FALSE(ArcFinder().join(surfaced, parsed.runs.run(0), parsed.runs.run(2), parsed.options, 18.0));
+  EXPECT_FALSE(parsed.finder().join(parsed.runs.run(0), parsed.runs.run(2), 18.0));
 }
 
 }  // namespace

@@ -50,19 +50,19 @@ double chi2_by_matrix(const Column& c, Stretch places) {
 TEST(ArcMomentsTest, AgreesWithALeastSquaresSolution) {
   const Column c = column(0.005);
   ArcMoments moments;
-  moments.build(c.echoes, c.order, c.all);
+  moments.begin(c.echoes, c.order);
   ASSERT_GE(c.all.size(), 15);
   for (const Stretch places : {c.all, Stretch{0, 9}, Stretch{3, c.all.last - 2}}) {
     const double expected = chi2_by_matrix(c, places);
-    EXPECT_NEAR(moments.chi2(places), expected, 1e-6 * expected);
+    EXPECT_NEAR(moments.chi2(c.all, places), expected, 1e-6 * expected);
   }
 }
 
 TEST(ArcMomentsTest, AnExactColumnCostsNothing) {
   const Column c = column(0.0);
   ArcMoments moments;
-  moments.build(c.echoes, c.order, c.all);
-  EXPECT_NEAR(moments.chi2(c.all), 0.0, 1e-4);
+  moments.begin(c.echoes, c.order);
+  EXPECT_NEAR(moments.chi2(c.all, c.all), 0.0, 1e-4);
 }
 
 TEST(ArcMomentsTest, HollowsAndStraightRunsAreNoArcs) {
@@ -76,9 +76,19 @@ TEST(ArcMomentsTest, HollowsAndStraightRunsAreNoArcs) {
     std::vector<int> order(echoes.size());
     std::iota(order.begin(), order.end(), 0);
     ArcMoments moments;
-    moments.build(echoes, order, {0, echoes.size() - 1});
-    EXPECT_TRUE(std::isinf(moments.chi2({0, echoes.size() - 1})));
+    moments.begin(echoes, order);
+    EXPECT_TRUE(std::isinf(moments.chi2({0, echoes.size() - 1}, {0, echoes.size() - 1})));
   }
+}
+
+TEST(ArcMomentsTest, TwoSurfacesAreSummedAsOne) {
+  const Column c = column(0.005);
+  ArcMoments whole;
+  whole.begin(c.echoes, c.order);
+  ArcMoments halves;
+  halves.begin(c.echoes, c.order);
+  const double expected = whole.chi2(c.all, c.all);
+  EXPECT_NEAR(halves.chi2_of_both({0, 8}, {9, c.all.last}), expected, 1e-6 * expected);
 }
 
 }  // namespace

@@ -55,5 +55,20 @@ TEST(EchoReaderTest, LeavesOutWhatHasNoRange) {
   EXPECT_EQ(echoes_of(scan).beam, (std::vector<int>{1, 6}));
 }
 
+TEST(NoiseHistogramTest, GivesTheSigmaOfWhiteNoise) {
+  // Third differences of white noise of sigma s are Gaussian with sqrt(20) s; their quantiles in closed form.
+  NoiseHistogram histogram;
+  constexpr int kNum = 999;
+  const double sigma_m = 0.007;
+  // The quartiles of a Gaussian lie at 0.67449 of its sigma: half of all values within.
+  for (int i = 0; i < kNum; ++i) histogram.add(0.67449 * std::sqrt(20.0) * sigma_m * 2.0 * i / (kNum - 1));
+  ASSERT_TRUE(histogram.sigma_m());
+  EXPECT_NEAR(*histogram.sigma_m(), sigma_m, 2e-4);
+  histogram.clear();
+  EXPECT_FALSE(histogram.sigma_m());
+  for (int i = 0; i < 20; ++i) histogram.add(1e6);  // beyond the last bin
+  EXPECT_GT(*histogram.sigma_m(), 0.03);
+}
+
 }  // namespace
 }  // namespace scanbed

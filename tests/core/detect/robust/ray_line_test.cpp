@@ -54,5 +54,22 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
   EXPECT_NEAR(ratio, 1.0, 0.1);  // 50 runs of some 110 echoes: 4 sigma are 0.08
 }
 
+TEST(RayLineTest, ChiSquaredAloneIsThatOfTheFit) {
+  IdealScene scene;
+  scene.wall({2.0, -1.0}, {2.5, 1.0});
+  Echoes echoes;
+  EchoReader().read(with_noise(scene.scan(), 0.005, 4), {}, echoes);
+  std::vector<int> order(echoes.size());
+  std::iota(order.begin(), order.end(), 0);
+  RayLineSums sums;
+  sums.build(echoes, order);
+  for (const Stretch places : {Stretch{0, echoes.size() - 1}, Stretch{3, 20}}) {
+    const double expected = sums.fit(places.first, places.last).chi2;
+    EXPECT_NEAR(sums.chi2(places.first, places.last), expected, 1e-6 * expected);
+  }
+  const double whole = sums.fit(0, echoes.size() - 1).chi2;
+  EXPECT_NEAR(sums.fit_both({0, 9}, {10, echoes.size() - 1}).chi2, whole, 1e-6 * whole);
+}
+
 }  // namespace
 }  // namespace scanbed
