@@ -32,7 +32,8 @@ void NoiseHistogram::clear() {
 }
 
 void NoiseHistogram::add(double difference_m) {
-  ++counts_[std::min(static_cast<int>(std::abs(difference_m) / kBin_m), kNumBins - 1)];
+  const double bin = std::min(std::abs(difference_m) / kBin_m, kNumBins - 1.0);
+  ++counts_[static_cast<std::size_t>(bin)];
   ++num_counted_;
 }
 
@@ -97,7 +98,7 @@ void EchoReader::estimate_noise(const SurfaceOptions& options, Echoes& echoes) {
   for (int k = 3; k < echoes.size(); ++k) {
     const double spread_m =
         std::abs(r[k] - r[k - 1]) + std::abs(r[k - 1] - r[k - 2]) + std::abs(r[k - 2] - r[k - 3]);
-    if (echoes.beam[k] - echoes.beam[k - 3] != 3 || spread_m > kSmoothStep_m) continue;
+    if (echoes.beam[k] - echoes.beam[k - 3] != 3 || !(spread_m <= kSmoothStep_m)) continue;
     noise_.add(r[k] - 3.0 * r[k - 1] + 3.0 * r[k - 2] - r[k - 3]);
   }
   const std::optional<double> sigma_m = noise_.sigma_m();
