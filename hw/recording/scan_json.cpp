@@ -116,8 +116,8 @@ BeamTruth read_beam(const JsonValue& json, int num_objects) {
     throw InputError("a beam's object " + std::to_string(beam.object) + " is not among the " +
                      std::to_string(num_objects) + " objects");
   }
-  const double range_m = number_at(json, "range");
-  beam.range_m = range_m < 0.0 ? kNoEcho : range_m;
+  beam.range_m = number_at(json, "range");
+  if (beam.range_m < 0.0) beam.range_m = kNoEcho;
   beam.incidence_rad = number_at(json, "incidence");
   beam.mixed = json.at("mixed").integer("mixed") != 0;
   return beam;
