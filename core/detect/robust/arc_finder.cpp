@@ -34,7 +34,7 @@ void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<A
   contenders_.clear();
   const auto num_pieces = static_cast<int>(pieces.size());
   for (int i = 0; i < num_pieces; ++i) {
-    for (int j = std::min(num_pieces, i + kMaxPiecesOfArc) - 1; j >= i; --j) {
+    for (int j = last_piece_of_arc(pieces, i); j >= i; --j) {
       if (is_part_of_contender(i, j)) continue;
       Contender contender{i, j, {}};
       if (try_pieces(surface, pieces, contender)) contenders_.push_back(contender);
@@ -50,6 +50,20 @@ void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<A
     for (LinePiece& piece : taken) piece.is_taken = true;
     arcs.push_back(contender.arc);
   }
+}
+
+// An arc has few pieces, none of them longer than a cylinder is thick. @returns less than the first where
+// there is none.
+int ArcFinder::last_piece_of_arc(std::span<const LinePiece> pieces, int first_piece) const {
+  const double thickest_m = 2.0 * options_->surface.max_radius_m;
+  const int end = std::min(static_cast<int>(pieces.size()), first_piece + kMaxPiecesOfArc);
+  int j = first_piece;
+  while (j < end) {
+    const Stretch& places = pieces[j].places;
+    if ((point_m(places.last) - point_m(places.first)).squaredNorm() > thickest_m * thickest_m) break;
+    ++j;
+  }
+  return j - 1;
 }
 
 // What one arc explains as well as can be asked is not looked at piece by piece.

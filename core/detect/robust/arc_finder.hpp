@@ -65,6 +65,7 @@ class ArcFinder {
     double price = 0.0;
   };
 
+  int last_piece_of_arc(std::span<const LinePiece> pieces, int first_piece) const;
   bool is_part_of_contender(int first_piece, int last_piece) const;
   bool try_pieces(Stretch surface, std::span<const LinePiece> pieces, Contender& contender);
   bool settle(Stretch surface, double cost, Arc& arc);

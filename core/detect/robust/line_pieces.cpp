@@ -72,7 +72,7 @@ int LineSplitter::climb_to_best_split(Stretch places, int split) const {
     split = s;
     return true;
   };
-  for (int stride = 8; stride >= 1; stride /= 2) {
+  for (int stride = std::clamp(places.size() / 4, 1, 8); stride >= 1; stride /= 2) {
     while (move_to(split - stride) || move_to(split + stride)) continue;
   }
   return split;
