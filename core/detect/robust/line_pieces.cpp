@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scanbed {
 
@@ -63,17 +64,20 @@ int LineSplitter::climb_to_best_split(Stretch places, int split) const {
     return (s > places.first ? sums_->chi2(places.first, s) : 0.0) +
            (s + 1 < places.last ? sums_->chi2(s + 1, places.last) : 0.0);
   };
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (split > places.first && chi2_at(split - 1) < chi2_at(split))
+    --split;  // the corner may be on either piece
   double best = chi2_at(split);
-  const auto move_to = [&](int s) {
-    if (s < places.first || s >= places.last) return false;
-    const double chi2 = chi2_at(s);
-    if (chi2 >= best) return false;
-    best = chi2;
-    split = s;
-    return true;
-  };
-  for (int stride = std::clamp(places.size() / 4, 1, 8); stride >= 1; stride /= 2) {
-    while (move_to(split - stride) || move_to(split + stride)) continue;
+  for (int stride = std::clamp(places.size() / 4, 1, 8); stride >= 1;) {
+    // The better side, so that a mirrored run is cut at the same place.
+    const double before = split - stride >= places.first ? chi2_at(split - stride) : kNone;
+    const double after = split + stride < places.last ? chi2_at(split + stride) : kNone;
+    if (std::min(before, after) < best) {
+      split += before < after ? -stride : stride;
+      best = std::min(before, after);
+    } else {
+      stride /= 2;
+    }
   }
   return split;
 }
