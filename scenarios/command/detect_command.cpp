@@ -66,7 +66,8 @@ struct OpenedLaser {
   std::optional<Scenario> scenario;     // where the sensor is simulated
 };
 
-OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> settings) {
+OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> settings,
+                       const FeatureDetector& detector) {
   const LaserSpec& spec = command.laser;
   if (spec.kind == LaserKind::kLog) {
     if (!settings.empty()) {
@@ -88,7 +89,7 @@ OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> se
   }
   if (spec.target.empty()) throw InputError("--laser sim: no scenario; write sim:SCENARIO, or log:FILE");
   Scenario scenario = open_scenario(spec.target, settings, std::nullopt);
-  auto sensor = simulate(scenario, command.backend);
+  auto sensor = simulate(scenario, command.backend, detector.options());
   return {std::move(sensor), nullptr, std::move(scenario)};
 }
 
@@ -128,7 +129,7 @@ ExitCode execute(const DetectCommand& command) {
                              .interpret = command.interpret,
                              .tracker = options.track,
                              .interpreter = options.interpret});
-  const OpenedLaser laser = open_laser(command, settings.scenario);
+  const OpenedLaser laser = open_laser(command, settings.scenario, detector);
   Output output(command.out);
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
   if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);

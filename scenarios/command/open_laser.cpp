@@ -31,11 +31,14 @@ Scenario open_scenario(const std::string& name_or_path, std::span<const Setting>
   return load_scenario(find_scenario(name_or_path), all);
 }
 
-std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backend backend) {
-  return std::make_unique<sim::SimulatedLms>(
-      scenario.world,
-      sim::SimulationOptions{
-          .lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed, .backend = backend});
+std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backend backend,
+                                            const DetectorOptions& detector) {
+  return std::make_unique<sim::SimulatedLms>(scenario.world,
+                                             sim::SimulationOptions{.lms = scenario.lms,
+                                                                    .duration_s = scenario.duration_s,
+                                                                    .seed = scenario.seed,
+                                                                    .backend = backend,
+                                                                    .detector = detector});
 }
 
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/detect/detector_options.hpp"
 #include "core/scan/range_sensor.hpp"
 #include "hw/recording/scan_reader.hpp"
 #include "scenarios/load/scenario.hpp"
@@ -24,8 +25,11 @@ Scenario open_scenario(const std::string& name_or_path, std::span<const Setting>
                        std::optional<std::uint64_t> seed);
 
 /// The simulated laser of a scenario. @throws InputError where the world cannot be, or not in this engine.
+///
+/// @param detector  finds the legs that the robot follows, if it follows any.
 std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario,
-                                            sim::Backend backend = sim::Backend::kPlanar);
+                                            sim::Backend backend = sim::Backend::kPlanar,
+                                            const DetectorOptions& detector = {});
 
 /// A recording of any format; its damaged lines become warnings, up to twenty of them.
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec);

@@ -91,7 +91,7 @@ ExitCode render_film(const RenderCommand& command, const Scenario& scenario, Fea
           fmt::format("({}, {}]", from_s, scenario.duration_s));
   const double frames_per_s = command.film.frames_per_s.value_or(1.0 / scenario.lms.scan_period_s);
   Films films(command, frames_per_s);
-  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend, detector.options());
   sim::ScenePainter painter(sensor->world(), command.picture);
   Progress progress("film");
   LaserScan scan;
@@ -120,7 +120,7 @@ ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, 
   require(command.at_s >= 0.0 && command.at_s <= scenario.duration_s, "--at", command.at_s,
           fmt::format("[0, {}], the scenario's duration", scenario.duration_s));
   check_folder(*command.out);
-  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
+  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend, detector.options());
   const LaserScan scan = scan_at(scenario, *sensor, command.at_s);
   if (is_interrupted()) return kExitInterrupted;
   const Features& features = detector.detect(scan);

@@ -36,7 +36,8 @@ Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
 
 RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario,
                              const Processing& processing) {
-  const std::unique_ptr<sim::SimulatedLms> sensor = simulate(scenario, command.backend);
+  const std::unique_ptr<sim::SimulatedLms> sensor =
+      simulate(scenario, command.backend, processing.detector.options());
   std::optional<PictureTaker> pictures;
   if (command.out) pictures.emplace(scenario, *sensor, *command.out);
   Recorder recorder = open_recorder(command, scenario);

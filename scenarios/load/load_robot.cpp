@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "core/geometry/angles.hpp"
@@ -14,19 +15,64 @@ namespace {
 constexpr Allowed kSpeed{.least = 0.0, .greatest = 5.0, .open = true};
 constexpr Allowed kTurnRate_deg{.least = 0.0, .greatest = 360.0, .open = true};
 constexpr Allowed kWait{.least = 0.0, .greatest = 86'400.0};
+constexpr Allowed kRounds{.least = 1.0, .greatest = 1'000.0};
+
+sim::DriveStep load_drive_path(const Value& value) {
+  Table table(value);
+  const auto line = table.take("line");
+  const auto loop = table.take("loop");
+  const auto rounds = table.take("rounds");
+  const auto round = table.take("round");
+  table.finish();
+  if (loop.has_value() == line.has_value()) value.refuse("a path is exactly one of loop and line");
+  if (line && rounds) rounds->refuse("a line is driven once; it goes with loop");
+  sim::FollowPath path;
+  path.points_m = (loop ? *loop : *line).points_m(loop ? 2 : 1);
+  if (loop) path.rounds = 1;
+  if (rounds) path.rounds = static_cast<int>(rounds->count(kRounds));
+  if (round) path.round_m = round->number({.least = 0.0, .greatest = kFarthest_m});
+  return path;
+}
+
+sim::DriveStep load_follow(const Value& value) {
+  Table table(value);
+  sim::FollowLegs follow;
+  follow.distance_m = table.number("distance", follow.distance_m, kLength);
+  follow.for_s = table.number("for", follow.for_s, {.least = 0.0, .greatest = 86'400.0, .open = true});
+  follow.within_m = table.number("within", follow.within_m, kLength);
+  follow.patience_s = table.number("patience", follow.patience_s, {.least = 0.0, .greatest = 60.0});
+  table.finish();
+  return follow;
+}
+
+using LoadStep = sim::DriveStep (*)(const Value& value);
+struct DriveKey {
+  const char* key;
+  LoadStep load;
+};
+constexpr std::array<DriveKey, 5> kDriveKeys = {
+    {{"wait", [](const Value& value) -> sim::DriveStep { return sim::Wait{value.number(kWait)}; }},
+     {"turn_deg",
+      [](const Value& value) -> sim::DriveStep { return sim::Turn{radians(value.number(kAngle_deg))}; }},
+     {"go", [](const Value& value) -> sim::DriveStep { return sim::Go{value.number(kCoordinate)}; }},
+     {"path", load_drive_path},
+     {"follow", load_follow}}};
 
 sim::DriveStep load_drive_step(const Value& value) {
-  Table step(value);
-  const auto wait = step.take("wait");
-  const auto turn = step.take("turn_deg");
-  const auto go = step.take("go");
-  step.finish();
-  if (wait.has_value() + turn.has_value() + go.has_value() != 1) {
-    value.refuse("a step is exactly one of wait, turn_deg and go");
+  Table table(value);
+  std::optional<Value> found;
+  LoadStep load = nullptr;
+  int num_found = 0;
+  for (const DriveKey& candidate : kDriveKeys) {
+    const std::optional<Value> step = table.take(candidate.key);
+    if (!step) continue;
+    ++num_found;
+    found = step;
+    load = candidate.load;
   }
-  if (wait) return sim::Wait{wait->number(kWait)};
-  if (turn) return sim::Turn{radians(turn->number(kAngle_deg))};
-  return sim::Go{go->number(kCoordinate)};
+  table.finish();
+  if (num_found != 1) value.refuse("a step is exactly one of wait, turn_deg, go, path and follow");
+  return load(*found);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/geometry/pose2.hpp"
 #include "sim/planar/planar_slice.hpp"
 #include "sim/planar/slice_objects.hpp"
+#include "sim/world/drive_plan.hpp"
 #include "sim/world/world_state.hpp"
 
 namespace scanbed::sim {
@@ -27,6 +28,9 @@ class Engine {
   virtual void advance_to(double time_s) = 0;
 
   virtual const WorldState& state() const = 0;
+
+  /// The robot's plan, to command it where it follows legs.
+  virtual DrivePlan& drive() = 0;
 
   /// What the laser's plane meets at state().time_s, in a frame L of that plane: the engine chooses where L
   /// is, and it may be elsewhere after the next advance_to().

@@ -90,6 +90,10 @@ const WorldState& PlanarEngine::state() const {
   return impl_->state;
 }
 
+DrivePlan& PlanarEngine::drive() {
+  return impl_->script.drive();
+}
+
 const PlanarSlice& PlanarEngine::slice() const {
   return impl_->slice;
 }

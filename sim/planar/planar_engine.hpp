@@ -22,6 +22,7 @@ class PlanarEngine final : public Engine {
 
   void advance_to(double time_s) override;
   const WorldState& state() const override;
+  DrivePlan& drive() override;
   const PlanarSlice& slice() const override;  ///< in the world frame: L is W
   Pose2 sensor_in_plane() const override;
   const std::vector<SliceObject>& objects() const override;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/sensor/simulated_lms.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/score/visibility.hpp"
 #include "sim/engine/make_engine.hpp"
@@ -12,6 +15,7 @@
 #include "sim/planar/spot_caster.hpp"
 #include "sim/sensor/sensor_model.hpp"
 #include "sim/sensor/truth_maker.hpp"
+#include "sim/world/leg_follower.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -77,6 +81,36 @@ std::vector<Piece> pieces_of(const SensorOptions& sensor, const ScanGeometry& ge
   return pieces;
 }
 
+/// Drives a robot after the legs that it detects.
+class Pilot {
+ public:
+  Pilot(const Robot& robot, const SimulationOptions& options)
+      : robot_(robot), period_s_(options.lms.scan_period_s), detector_(options.detector) {}
+
+  /// Commands the robot from the next scan's time on.
+  void see(const LaserScan& scan, const Pose2& X_WR, DrivePlan& drive) {
+    const double next_s = static_cast<double>(scan.index + 1) * period_s_;
+    const FollowLegs* task = drive.following_at(next_s);
+    if (task != task_) follower_.reset();
+    task_ = task;
+    if (task == nullptr) return;
+    if (!follower_) follower_.emplace(robot_, *task);
+    drive.command(next_s, follower_->update({scan.time_s, X_WR, detector_.detect(scan).legs, period_s_}));
+  }
+
+ private:
+  Robot robot_;
+  double period_s_;
+  FeatureDetector detector_;
+  const FollowLegs* task_ = nullptr;
+  std::optional<LegFollower> follower_;
+};
+
+bool follows_legs(const Robot& robot) {
+  return std::any_of(robot.drive.begin(), robot.drive.end(),
+                     [](const DriveStep& step) { return std::holds_alternative<FollowLegs>(step); });
+}
+
 }  // namespace
 
 struct SimulatedLms::Impl {
@@ -98,6 +132,7 @@ struct SimulatedLms::Impl {
   std::int64_t num_scans;
   std::int64_t next_scan = 0;
   WorldState state;
+  std::optional<Pilot> pilot;  ///< only where legs are followed
 };
 
 SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
@@ -111,6 +146,7 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
       // The slack keeps 0.3 s at 0.1 s from having a fourth scan: 0.3 / 0.1 is a little less than 3.
       num_scans(static_cast<std::int64_t>(std::ceil(options.duration_s / options.lms.scan_period_s - 1e-9))),
       state(engine->state()) {
+  if (follows_legs(world.robot)) pilot.emplace(world.robot, options);
   const bool has_spot = options.lms.spot_diameter_m(1.0) > 0.0;
   for (const Piece& piece : pieces) {
     axes.emplace_back(geometry, piece.beams);
@@ -165,6 +201,7 @@ bool SimulatedLms::next(LaserScan& scan, Seconds /*timeout*/) {
   scan.X_OR.reset();
   scan.source.clear();
   s.visibility.classify(s.truth_maker.truth(), scan);
+  if (s.pilot) s.pilot->see(scan, s.state.X_WR, s.engine->drive());
   ++s.next_scan;
   return true;
 }

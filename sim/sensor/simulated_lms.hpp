@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/detect/detector_options.hpp"
 #include "core/scan/range_sensor.hpp"
 #include "sim/engine/make_engine.hpp"
 #include "sim/sensor/lms_options.hpp"
@@ -17,10 +18,14 @@ struct SimulationOptions {
   double duration_s = 10.0;  ///< the stream ends after the last scan that starts before it
   std::uint64_t seed = 1;
   Backend backend = Backend::kPlanar;
+  DetectorOptions detector;  ///< finds the legs that a robot follows
 };
 
 /// A simulated LMS 200 in a world of either engine: world -> ideal returns -> LMS model -> 13-bit words ->
 /// LaserScan.
+///
+/// A robot that follows legs acts on each scan from the time of the next one on: so long a scan is under way
+/// to it.
 class SimulatedLms final : public RangeSensor {
  public:
   /// @throws InputError where world or options do not validate.

@@ -122,6 +122,10 @@ const WorldState& SpatialEngine::state() const {
   return impl_->state;
 }
 
+DrivePlan& SpatialEngine::drive() {
+  return impl_->script.drive();
+}
+
 const PlanarSlice& SpatialEngine::slice() const {
   return impl_->slice;
 }

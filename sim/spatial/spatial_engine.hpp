@@ -24,6 +24,7 @@ class SpatialEngine final : public Engine {
 
   void advance_to(double time_s) override;
   const WorldState& state() const override;
+  DrivePlan& drive() override;
   const PlanarSlice& slice() const override;  ///< in the sensor frame: L is S
   Pose2 sensor_in_plane() const override;
   const std::vector<SliceObject>& objects() const override;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
 #include "sim/world/rounded_path.hpp"
 #include "sim/world/solid_geometry.hpp"
@@ -158,17 +159,7 @@ void check_robot(const Robot& robot) {
   require_positive(robot.speed_m_per_s, "robot: speed_m_per_s");
   require_positive(robot.turn_rad_per_s, "robot: turn_rad_per_s");
   require_positive(robot.radius_m, "robot: radius_m");
-  for (std::size_t i = 0; i < robot.drive.size(); ++i) {
-    const std::string name = "robot: drive step " + std::to_string(i);
-    const DriveStep& step = robot.drive[i];
-    if (const auto* wait = std::get_if<Wait>(&step)) require_not_negative(wait->duration_s, name + ": wait");
-    if (const auto* turn = std::get_if<Turn>(&step)) {
-      require(std::abs(turn->angle_rad) <= 1e3 * kPi, name + ": turn", turn->angle_rad, "at most 500 turns");
-    }
-    if (const auto* go = std::get_if<Go>(&step)) {
-      require(std::abs(go->distance_m) <= kReach_m, name + ": go", go->distance_m, "at most 1000 m");
-    }
-  }
+  validate_drive(robot);
 }
 
 // Ids as truth will name them, so that "hall.1" cannot be both a wall of hall and a column.

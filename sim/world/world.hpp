@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -106,7 +107,24 @@ struct Turn {
 struct Go {
   double distance_m = 0.0;  ///< ahead; negative goes backwards
 };
-using DriveStep = std::variant<Wait, Turn, Go>;
+/// Drives from where it is to the first point, on to the others, and stops at the last; it turns on the spot
+/// to face the first one.
+struct FollowPath {
+  std::vector<Eigen::Vector2d> points_m;  ///< p_WQ, at least 1
+  int rounds = 0;  ///< 0: the path ends at its last point; else back to the first one, so many times round
+  /// Radius at which corners are rounded where their edges have room, half an edge a corner; tight arcs are
+  /// driven as slowly as the robot's turning needs, sharp corners turned on the spot. Empty: the tightest arc
+  /// that it takes at full speed.
+  std::optional<double> round_m;
+};
+/// Drives after the nearest pair of legs that the detector finds, at a distance (LegFollower).
+struct FollowLegs {
+  double distance_m = 1.0;  ///< that it keeps, from the laser to the middle between the legs
+  double for_s = std::numeric_limits<double>::infinity();  ///< from then on comes the next step
+  double within_m = 4.0;    ///< pairs of legs farther off are nobody to begin to follow
+  double patience_s = 1.0;  ///< goes on for so long without seeing a leg, then stops and looks for a pair
+};
+using DriveStep = std::variant<Wait, Turn, Go, FollowPath, FollowLegs>;
 
 /// The robot that carries the laser.
 struct Robot {
@@ -115,8 +133,8 @@ struct Robot {
   double laser_height_m = 0.28;  ///< above the floor
   double laser_pitch_rad = 0.0;  ///< about the laser's y axis after X_RS; positive looks down
   double laser_roll_rad = 0.0;   ///< about the laser's x axis after the pitch; positive lowers its right side
-  double speed_m_per_s = 0.3;    ///< of Go
-  double turn_rad_per_s = 0.5;   ///< of Turn
+  double speed_m_per_s = 0.3;    ///< of Go and FollowPath; the greatest of FollowLegs
+  double turn_rad_per_s = 0.5;   ///< of Turn; the greatest of FollowPath and FollowLegs
   double radius_m = 0.22;        ///< body: for pictures and collisions
   std::vector<DriveStep> drive;
 };

@@ -8,7 +8,8 @@
 
 namespace scanbed::sim {
 
-/// What a world's script says of robot and walkers, whatever the physics: every engine follows it exactly.
+/// What a world's script says of robot and walkers, whatever the physics: every engine follows it exactly. A
+/// robot that follows legs adds what it is commanded.
 class WorldScript {
  public:
   /// @pre the world validates.
@@ -24,6 +25,8 @@ class WorldScript {
   }
 
   bool has_tows() const { return has_tows_; }
+
+  DrivePlan& drive() { return drive_; }
 
  private:
   DrivePlan drive_;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 namespace scanbed::sim {
 namespace {
 
@@ -63,12 +65,55 @@ TEST(DrivePlanTest, StepsThatTakeNoTimeChangeNothing) {
   expect_pose(plan.pose_at(0.0), {1.0, 2.0}, kPi / 2);
 }
 
+TEST(DrivePlanTest, DrivesAlongAPathFromWhereItStands) {
+  const DrivePlan plan(
+      robot({Go{1.0}, FollowPath{.points_m = {{1.0, 6.0}, {3.0, 6.0}}, .round_m = 1.0}, Go{1.0}}));
+  // From (1, 3): 2 m ahead, a quarter of a circle of 1 m at 0.25 m/s, 1 m on to (3, 6).
+  const double arc_s = 2.0 + 4.0;
+  expect_pose(plan.pose_at(arc_s), {1.0, 5.0}, kPi / 2);
+  const double behind_s = arc_s + kPi / 2 / 0.25;
+  expect_pose(plan.pose_at(behind_s), {2.0, 6.0}, 0.0);
+  expect_pose(plan.pose_at(behind_s + 2.0), {3.0, 6.0}, 0.0);
+  expect_pose(plan.pose_at(1e6), {4.0, 6.0}, 0.0);
+}
+
+TEST(DrivePlanTest, StandsStillWhileItFollowsWithoutACommand) {
+  const DrivePlan plan(robot({FollowLegs{.for_s = 5.0}, Go{1.0}}));
+  expect_pose(plan.pose_at(5.0), {1.0, 2.0}, kPi / 2);
+  expect_pose(plan.pose_at(7.0), {1.0, 3.0}, kPi / 2);
+  EXPECT_EQ(plan.following_at(4.9)->for_s, 5.0);
+  EXPECT_EQ(plan.following_at(5.0), nullptr);
+  EXPECT_TRUE(std::isinf(DrivePlan(robot({FollowLegs{}, Go{1.0}})).end_s()));
+}
+
+TEST(DrivePlanTest, DoesAsCommandedUntilTheNextCommandOrTheStepsEnd) {
+  DrivePlan plan(robot({Wait{1.0}, FollowLegs{.for_s = 4.0}, Go{1.0}}));
+  plan.command(0.5, {.speed_m_per_s = 0.5});  // too early
+  plan.command(2.0, {.speed_m_per_s = 0.5});
+  expect_pose(plan.pose_at(2.0), {1.0, 2.0}, kPi / 2);
+  expect_pose(plan.pose_at(3.0), {1.0, 2.5}, kPi / 2);
+  plan.command(3.0, {.speed_m_per_s = 0.0, .turn_rad_per_s = -0.25});
+  expect_pose(plan.pose_at(2.5), {1.0, 2.25}, kPi / 2);
+  expect_pose(plan.pose_at(5.0), {1.0, 2.5}, kPi / 2 - 0.5);
+  plan.command(5.0, {.speed_m_per_s = 0.5});  // too late
+  expect_pose(plan.pose_at(7.0), Eigen::Vector2d(1.0, 2.5) + Pose2{{}, kPi / 2 - 0.5}.heading(),
+              kPi / 2 - 0.5);
+}
+
+TEST(DrivePlanTest, PlansTheRestFromWhereFollowingEnds) {
+  DrivePlan plan(robot({FollowLegs{.for_s = 4.0}, FollowPath{.points_m = {{1.0, 9.0}}}}));
+  for (int k = 0; k < 8; ++k) plan.command(0.5 * k, {.speed_m_per_s = k % 2 == 0 ? 0.5 : 0.0});
+  expect_pose(plan.pose_at(4.0), {1.0, 3.0}, kPi / 2);
+  EXPECT_DOUBLE_EQ(plan.end_s(), 4.0 + 6.0 / 0.5);
+}
+
 RC_GTEST_PROP(DrivePlanTest, NeverMovesFasterThanItsSpeeds, ()) {
   std::vector<DriveStep> drive;
   for (const int code : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-300, 300))) {
     const double amount = code / 50.0;
     if (code % 3 == 0) drive.push_back(Go{amount});
-    if (code % 3 != 0) drive.push_back(Turn{amount});
+    if (code % 3 == 1) drive.push_back(Turn{amount});
+    if (code % 3 == 2) drive.push_back(FollowPath{.points_m = {{amount, 1.0}, {2.0, amount}}});
   }
   const DrivePlan plan(robot(drive));
   constexpr double kStep_s = 0.1;
