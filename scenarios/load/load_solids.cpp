@@ -102,7 +102,8 @@ struct ShapeKey {
   const char* default_label;
 };
 constexpr std::array kShapeKeys = {ShapeKey{"walls", "wall"}, ShapeKey{"cylinder", "cylinder"},
-                                   ShapeKey{"box", "box"}, ShapeKey{"polygon", "polygon"}};
+                                   ShapeKey{"box", "box"}, ShapeKey{"polygon", "polygon"},
+                                   ShapeKey{"map", "wall"}};
 
 sim::SolidShape load_shape(const Value& shape, Table& table) {
   if (shape.name() == "cylinder") return load_cylinder(shape);
@@ -124,10 +125,14 @@ void load_solid(const Value& value, std::vector<sim::Solid>& solids) {
     default_label = candidate.default_label;
   }
   sim::Solid solid = load_frame(table, default_label);
-  if (shape) solid.shape = load_shape(*shape, table);
+  const bool is_map = shape && shape->name() == "map";
+  if (shape && !is_map) solid.shape = load_shape(*shape, table);
   // Unknown keys first: a misspelt shape is better told by its nearest name.
   table.finish();
-  if (!shape) value.refuse("no shape; one of walls, cylinder, box, polygon, use: bench, use: chair");
+  if (!shape) {
+    value.refuse("no shape; one of walls, cylinder, box, polygon, map, use: bench, use: chair");
+  }
+  if (is_map) return load_map(*shape, solid, solids);
   solids.push_back(std::move(solid));
 }
 

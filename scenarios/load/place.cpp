@@ -19,7 +19,7 @@ bool is_control(char c) {
 }  // namespace
 
 std::string to_string(const Place& place) {
-  const std::string source = place.source ? *place.source : std::string("input");
+  const std::string source = place.source ? place.source->name : std::string("input");
   return place.line == 0 ? source : fmt::format("{}:{}:{}", source, place.line, place.column);
 }
 

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 namespace scanbed::scenarios {
 
+/// What values were written in.
+struct Source {
+  std::string name;                   ///< of the file, or "--set sensor.height=0.3"
+  std::filesystem::path folder = {};  ///< of the file, never empty; empty where it is none
+};
+
 /// Where a value was written: a place in a file, or a flag of the command line (line 0).
 struct Place {
-  std::shared_ptr<const std::string> source;  ///< file name, or "--set sensor.height=0.3"; may be null
-  int line = 0;                               ///< from 1; 0 where the source has no lines
-  int column = 0;                             ///< from 1, in characters
+  std::shared_ptr<const Source> source;  ///< may be null
+  int line = 0;                          ///< from 1; 0 where the source has no lines
+  int column = 0;                        ///< from 1, in characters
 };
 
 /// "file:line:column", or the source alone where it has no lines.

@@ -26,6 +26,11 @@ void load_robot(const Value& value, sim::Robot& robot);
 /// `world:`, a list of solids; adds them.
 void load_solids(const Value& value, std::vector<sim::Solid>& solids);
 
+/// `map:`, the YAML file of a map as map_server reads it; adds the outlines of what is occupied as walls.
+///
+/// @param frame  what the walls have in common; their ids are "<its id>.0" and so on.
+void load_map(const Value& value, const sim::Solid& frame, std::vector<sim::Solid>& solids);
+
 /// `actors:`, a list of walkers; adds them. @pre  seed and laser height are known: bodies depend on them.
 void load_actors(const Value& value, Scenario& scenario);
 

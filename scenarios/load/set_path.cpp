@@ -82,7 +82,7 @@ Setting parse_setting(std::string_view text) {
 }
 
 void set_path(TreeNode& root, const Setting& setting) {
-  const auto source = std::make_shared<const std::string>("--set " + setting.path + "=" + setting.value);
+  const auto source = std::make_shared<const Source>(Source{"--set " + setting.path + "=" + setting.value});
   const Place flag{source, 0, 0};
   if (std::count(setting.path.begin(), setting.path.end(), '.') > kMostSteps) {
     refuse(flag, fmt::format("path is too long; allowed: {} steps", kMostSteps));
@@ -93,7 +93,7 @@ void set_path(TreeNode& root, const Setting& setting) {
     node = &step_into(*node, setting.path.substr(begin, end - begin), flag);
     begin = end + 1;
   }
-  *node = parse_yaml(setting.value, *source);
+  *node = parse_yaml(setting.value, source->name);
   set_source(*node, flag);
 }
 

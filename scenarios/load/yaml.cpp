@@ -30,7 +30,7 @@ std::size_t count_nodes(const TreeNode& node) {
 // aliased nodes however often they are repeated, and forgets where missing things should have been.
 class TreeBuilder final : public YAML::EventHandler {
  public:
-  TreeBuilder(std::shared_ptr<const std::string> source, const YamlLimits& limits)
+  TreeBuilder(std::shared_ptr<const Source> source, const YamlLimits& limits)
       : source_(std::move(source)), limits_(limits) {}
 
   TreeNode take_root() { return std::move(root_); }
@@ -144,7 +144,7 @@ class TreeBuilder final : public YAML::EventHandler {
     refuse(where, fmt::format("too many values; allowed: {}, aliases expanded", limits_.max_nodes));
   }
 
-  std::shared_ptr<const std::string> source_;
+  std::shared_ptr<const Source> source_;
   YamlLimits limits_;
   TreeNode root_;
   std::vector<Unfinished> stack_;
@@ -171,17 +171,15 @@ std::string read_text(const std::filesystem::path& path, const YamlLimits& limit
   return text;
 }
 
-}  // namespace
-
-TreeNode parse_yaml(std::string_view text, const std::string& source, const YamlLimits& limits) {
-  if (text.size() > limits.max_bytes) refuse_size(source, limits);
+TreeNode parse(std::string_view text, const std::shared_ptr<const Source>& source, const YamlLimits& limits) {
+  if (text.size() > limits.max_bytes) refuse_size(source->name, limits);
   std::istringstream stream{std::string(text)};
-  TreeBuilder builder(std::make_shared<const std::string>(source), limits);
+  TreeBuilder builder(source, limits);
   try {
     YAML::Parser parser(stream);
     parser.HandleNextDocument(builder);
     TreeNode root = builder.take_root();
-    TreeBuilder second(std::make_shared<const std::string>(source), limits);
+    TreeBuilder second(source, limits);
     if (parser.HandleNextDocument(second)) {
       refuse(second.take_root().place, "a second document; a file holds one");
     }
@@ -191,8 +189,16 @@ TreeNode parse_yaml(std::string_view text, const std::string& source, const Yaml
   }
 }
 
+}  // namespace
+
+TreeNode parse_yaml(std::string_view text, const std::string& source, const YamlLimits& limits) {
+  return parse(text, std::make_shared<const Source>(Source{source}), limits);
+}
+
 TreeNode read_yaml(const std::filesystem::path& path, const YamlLimits& limits) {
-  return parse_yaml(read_text(path, limits), path.string(), limits);
+  // "./" where the path is a bare name: a folder that is empty is none.
+  const Source source{path.string(), "." / path.parent_path()};
+  return parse(read_text(path, limits), std::make_shared<const Source>(source), limits);
 }
 
 }  // namespace scanbed::scenarios

@@ -56,8 +56,8 @@ TEST(LayOverTest, KeepsTwoOfOneIdWithinAFileForTheLoaderToRefuse) {
 TEST(LayOverTest, RemembersWhereEachValueStood) {
   TreeNode tree = parse_yaml("{a: 1, b: 2}", "base");
   lay_over(tree, parse_yaml("{b: 3}", "over"));
-  EXPECT_EQ(*tree.entries[0].value.place.source, "base");
-  EXPECT_EQ(*tree.entries[1].value.place.source, "over");
+  EXPECT_EQ(tree.entries[0].value.place.source->name, "base");
+  EXPECT_EQ(tree.entries[1].value.place.source->name, "over");
 }
 
 }  // namespace

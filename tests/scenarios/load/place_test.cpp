@@ -8,7 +8,7 @@
 namespace scanbed::scenarios {
 namespace {
 
-const auto kFile = std::make_shared<const std::string>("hall.yaml");
+const auto kFile = std::make_shared<const Source>(Source{"hall.yaml"});
 
 TEST(PlaceTest, NamesFileLineAndColumn) {
   EXPECT_EQ(to_string(Place{kFile, 3, 14}), "hall.yaml:3:14");
