@@ -26,8 +26,8 @@ Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O f
 
 // In the order of the help.
 std::vector<Usage> all_usages() {
-  return {run_usage(),     detect_usage(),  render_usage(),  convert_usage(), export_usage(),
-          emulate_usage(), devices_usage(), options_usage(), list_usage(),    validate_usage()};
+  return {run_usage(),     detect_usage(),  render_usage(), convert_usage(),  export_usage(), emulate_usage(),
+          devices_usage(), options_usage(), list_usage(),   validate_usage(), schema_usage()};
 }
 
 CLI::Option* add_option(CLI::App& app, const Flag& flag) {

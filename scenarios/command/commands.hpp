@@ -128,6 +128,9 @@ struct ValidateCommand {
   std::vector<std::string> scenarios;
 };
 
+/// `scanbed schema`
+struct SchemaCommand {};
+
 /// `--help`, `--version`: a text for stdout.
 struct TextCommand {
   std::string text;
@@ -135,7 +138,7 @@ struct TextCommand {
 
 using Command =
     std::variant<RunCommand, DetectCommand, RenderCommand, ConvertCommand, ExportCommand, EmulateCommand,
-                 DevicesCommand, OptionsCommand, ListCommand, ValidateCommand, TextCommand>;
+                 DevicesCommand, OptionsCommand, ListCommand, ValidateCommand, SchemaCommand, TextCommand>;
 
 ExitCode execute(const RunCommand& command);
 ExitCode execute(const DetectCommand& command);
@@ -147,6 +150,7 @@ ExitCode execute(const DevicesCommand& command);
 ExitCode execute(const OptionsCommand& command);
 ExitCode execute(const ListCommand& command);
 ExitCode execute(const ValidateCommand& command);
+ExitCode execute(const SchemaCommand& command);
 ExitCode execute(const TextCommand& command);
 
 }  // namespace scanbed::scenarios

@@ -45,5 +45,6 @@ Usage devices_usage();
 Usage options_usage();
 Usage list_usage();
 Usage validate_usage();
+Usage schema_usage();
 
 }  // namespace scanbed::scenarios

@@ -36,28 +36,24 @@ class Includer {
     root.entries.erase(found);
     TreeNode base;
     const Variables none;
-    const Value value(names, "include", none);
-    if (names.kind == TreeNode::Kind::kList) {
-      for (const Value& name : value.items()) add(name, folder, base);
-    } else {
-      add(value, folder, base);
+    for (const auto& [place, name] : include_names(Value(names, "include", none))) {
+      add(place, name, folder, base);
     }
     lay_over(base, std::move(root));
     root = std::move(base);
   }
 
  private:
-  void add(const Value& name, const fs::path& folder, TreeNode& base) {
-    const Place& place = name.node().place;
+  void add(const Place& place, const std::string& name, const fs::path& folder, TreeNode& base) {
     if (++num_files_ > limits_.max_files) {
       refuse(place, fmt::format("too many includes; allowed: {} files", limits_.max_files));
     }
     if (open_.size() >= static_cast<std::size_t>(limits_.max_depth)) {
       refuse(place, fmt::format("includes nest too deeply; allowed: {} levels", limits_.max_depth));
     }
-    const fs::path file = find_confined(place, name.text(), folder);
+    const fs::path file = find_confined(place, name, folder);
     if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
-      refuse(place, fmt::format("{} includes itself", quote(name.text())));
+      refuse(place, fmt::format("{} includes itself", quote(name)));
     }
     TreeNode tree = read_yaml(file);
     num_nodes_ += count_nodes(tree);
@@ -83,6 +79,13 @@ class Includer {
 };
 
 }  // namespace
+
+std::vector<std::pair<Place, std::string>> include_names(const Value& value) {
+  std::vector<std::pair<Place, std::string>> names;
+  if (value.node().kind != TreeNode::Kind::kList) return {{value.node().place, value.text()}};
+  for (const Value& name : value.items()) names.emplace_back(name.node().place, name.text());
+  return names;
+}
 
 void resolve_includes(TreeNode& root, const fs::path& folder, const IncludeLimits& limits) {
   Includer(limits).resolve(root, folder);

@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "scenarios/load/node.hpp"
+#include "scenarios/load/value.hpp"
 
 namespace scanbed::scenarios {
 
@@ -14,6 +18,9 @@ struct IncludeLimits {
   int max_depth = 8;
   std::size_t max_nodes = 60'000;  ///< values
 };
+
+/// The names of files that `include:` has: one, or a list of them.
+std::vector<std::pair<Place, std::string>> include_names(const Value& value);
 
 /// Replaces the key `include` of a scenario's tree (a file name, or a list of them) by what the files say:
 /// each lies over those before it, and the scenario's own values lie over them all (lay_over). Files are

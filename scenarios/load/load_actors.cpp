@@ -61,9 +61,7 @@ double load_start(const Value& value) {
 
 // "forever" or a time.
 double load_rest(const Value& value) {
-  static const std::array<std::string, 1> kForGood = {"forever"};
-  const bool is_word = value.node().text == kForGood[0];
-  return is_word ? std::numeric_limits<double>::infinity() : value.number(kStart);
+  return value.is("forever") ? std::numeric_limits<double>::infinity() : value.number(kStart);
 }
 
 sim::Stop load_stop(const Value& value) {

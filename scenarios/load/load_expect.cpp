@@ -36,12 +36,11 @@ std::vector<std::string> object_names(const sim::World& world) {
 }
 
 NearObject load_near(const Value& id, Table& table, const sim::World& world) {
-  NearObject near{.id = id.text()};
+  const NearObject near{.id = id.text(), .within_m = table.need("within").number(kDistance_m)};
   const std::vector<std::string> names = object_names(world);
   if (std::find(names.begin(), names.end(), near.id) == names.end()) {
     id.refuse(fmt::format("no object {}{}", quote(near.id), name_hint(near.id, names, "objects")));
   }
-  near.within_m = table.need("within").number(kDistance_m);
   return near;
 }
 
@@ -66,9 +65,8 @@ ScanCondition load_condition(const Value& value, FeatureKind kind, const sim::Wo
 
 // "all", "some", or a share of them.
 double load_share(const Value& value) {
-  const std::string& text = value.node().text;
-  if (text == "all") return 1.0;
-  if (text == "some") return 0.0;
+  if (value.is("all")) return 1.0;
+  if (value.is("some")) return 0.0;
   return value.number({.least = 0.0, .greatest = 1.0, .open = true});
 }
 

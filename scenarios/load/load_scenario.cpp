@@ -31,13 +31,11 @@ std::string load_name(const Value& value) {
 }
 
 Variables load_variables(const Value& value) {
-  const Table checked_to_be_a_map(value);
   Variables variables;
-  for (const NodeEntry& entry : value.node().entries) {
-    if (!is_name(entry.key)) refuse(entry.place, "a variable's name has letters, digits, _ and - only");
-    // Those above it in the file are in force already.
-    const double number = Value(entry.value, entry.key, variables).number();
-    variables[entry.key] = number;
+  // Not Table::take_all's own: those above a variable in the file are in force for it already.
+  for (const Value& written : Table(value).take_all()) {
+    if (!is_name(written.name())) written.refuse("a variable's name has letters, digits, _ and - only");
+    variables[written.name()] = Value(written.node(), written.name(), variables, written.notes()).number();
   }
   return variables;
 }
@@ -81,7 +79,8 @@ Scenario load_tree(const Value& root) {
   Scenario scenario;
   scenario.lms = sim::sensor_preset("sick_lms200");
   Table table(root);
-  table.take("vars");  // read before
+  table.take("vars");                                                       // read before
+  if (const auto include = table.take("include")) include_names(*include);  // resolved before
   load_header(table, scenario);
   if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
   if (const auto generate = table.take("generate")) load_generated(*generate, scenario);
@@ -93,6 +92,16 @@ Scenario load_tree(const Value& root) {
   if (const auto outputs = table.take("outputs")) load_outputs(*outputs, scenario);
   table.finish();
   return scenario;
+}
+
+Scenario read_tree(const TreeNode& root, const Notes& notes) {
+  const Variables none;
+  const Value whole(root, "scenario", none, notes);
+  // vars are known before anything that may refer to them, wherever they stand in the file.
+  Table peek(whole);
+  const std::optional<Value> section = peek.take("vars");
+  const Variables variables = section ? load_variables(*section) : Variables{};
+  return load_tree(Value(root, "scenario", variables, notes));
 }
 
 // The object whose id a message quotes ("solid 'col_L': ..."; of a bench's foot "'bench_L.foot_0'"), if any.
@@ -141,20 +150,19 @@ struct Origin {
 Scenario load_document(TreeNode root, const Origin& origin, std::span<const Setting> settings) {
   resolve_includes(root, origin.folder);
   for (const Setting& setting : settings) set_path(root, setting);
-  if (root.kind == TreeNode::Kind::kNothing)
+  if (root.kind == TreeNode::Kind::kNothing) {
     throw InputError(origin.name + ": is empty; expected a scenario");
-  const Variables none;
-  const Value whole(root, "scenario", none);
-  // vars are known before anything that may refer to them, wherever they stand in the file.
-  Table peek(whole);
-  const std::optional<Value> section = peek.take("vars");
-  const Variables variables = section ? load_variables(*section) : Variables{};
-  Scenario scenario = load_tree(Value(root, "scenario", variables));
+  }
+  Scenario scenario = read_tree(root, {});
   validate_parts(scenario, root);
   return scenario;
 }
 
 }  // namespace
+
+void read_scenario(const TreeNode& root, Recorder& recorder) {
+  read_tree(root, {&recorder, &recorder.root});
+}
 
 Scenario load_scenario(const std::filesystem::path& path, std::span<const Setting> settings) {
   // "./" where the path is a bare name: a folder that is empty is none.

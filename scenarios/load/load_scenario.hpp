@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scenarios/load/asked.hpp"
 #include "scenarios/load/scenario.hpp"
 #include "scenarios/load/set_path.hpp"
 
@@ -24,5 +25,9 @@ Scenario load_scenario(const std::filesystem::path& path, std::span<const Settin
 /// The same from text; `source` stands for the file's name in messages. Includes from the library only.
 Scenario parse_scenario(std::string_view text, const std::string& source,
                         std::span<const Setting> settings = {});
+
+/// Reads a tree without includes, and notes all that is asked of it. @throws InputError as load_scenario does
+/// for single values; whether they fit together is not checked.
+void read_scenario(const TreeNode& root, Recorder& recorder);
 
 }  // namespace scanbed::scenarios

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/geometry/angles.hpp"
-#include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
 
@@ -32,23 +34,25 @@ Allowed allowed_bound(const Metric& metric) {
   return {.least = 0.0};
 }
 
-// The metrics are a list of names rather than keys taken one by one: the bounds keep the file's order.
+// In the file's order, which is that of the results.
 void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
   Table table(value);
   TimeWindow window;
   if (const auto between = table.take("between")) window = load_window(*between, scenario.duration_s);
   const std::optional<std::string> preset = take_preset(table);
   const std::optional<std::string> known_fail = take_known_fail(table);
-  for (const NodeEntry& entry : value.node().entries) {
-    if (entry.key == "between" || entry.key == "preset" || entry.key == "known_fail") continue;
-    const std::optional<Metric> metric = find_metric(entry.key, kind);
-    if (!metric) {
-      refuse(entry.place, fmt::format("unknown key {}{}", quote(entry.key),
-                                      name_hint(entry.key, metric_names(kind), "keys")));
-    }
-    const Value bound(entry.value, entry.key, value.variables());
+  std::vector<std::pair<Metric, Value>> bounds;
+  for (const std::string& name : metric_names(kind)) {
+    if (const auto bound = table.take(name)) bounds.emplace_back(*find_metric(name, kind), *bound);
+  }
+  table.finish();
+  const auto is_written_before = [](const auto& a, const auto& b) {
+    return &a.second.node() < &b.second.node();
+  };
+  std::sort(bounds.begin(), bounds.end(), is_written_before);
+  for (const auto& [metric, bound] : bounds) {
     scenario.needs.push_back(
-        {kind, *metric, bound.number(allowed_bound(*metric)), window, preset, known_fail});
+        {kind, metric, bound.number(allowed_bound(metric)), window, preset, known_fail});
   }
 }
 

@@ -63,8 +63,8 @@ BenchFeet load_feet(const Value& value) {
   feet.radius_m = table.need("r").number(kLength);
   const Value apart = table.need("apart");
   feet.apart_m = apart.number(kLength);
-  if (feet.apart_m <= 2.0 * feet.radius_m) apart.refuse("the feet overlap; allowed: > 2 r");
   table.finish();
+  if (feet.apart_m <= 2.0 * feet.radius_m) apart.refuse("the feet overlap; allowed: > 2 r");
   return feet;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,15 +28,21 @@ class Table {
   bool flag(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::string fallback);
 
+  /// The values of all keys, whatever they are called.
+  std::vector<Value> take_all();
+
   /// @throws InputError at the first key that was not taken, with the nearest known key.
   void finish() const;
 
   const Value& value() const { return value_; }
 
  private:
+  void note(std::string_view missing_key) const;
+
   Value value_;
   std::vector<bool> taken_;         // one flag for each entry
   std::vector<std::string> known_;  // keys asked for
+  std::set<std::string> needed_;    // those that must be there
 };
 
 }  // namespace scanbed::scenarios

@@ -48,6 +48,13 @@ void Value::refuse(std::string_view message) const {
   scenarios::refuse(node_->place, fmt::format("{}: {}", name_, message));
 }
 
+// Before it is read, so that the last question of a refused tree is the one that was not answered.
+void Value::note(Asked::Form form) const {
+  if (notes_.asked == nullptr) return;
+  notes_.asked->add_form(form);
+  notes_.recorder->last = {node_, notes_.asked, form, ""};
+}
+
 const std::string& Value::scalar(std::string_view expected) const {
   if (node_->kind != TreeNode::Kind::kScalar) {
     refuse(fmt::format("expected {}, found {}", expected, name_of(node_->kind)));
@@ -68,6 +75,8 @@ double Value::resolve(std::string_view expected) const {
 }
 
 double Value::number(const Allowed& allowed) const {
+  note(Asked::Form::kNumber);
+  if (notes_.asked != nullptr) notes_.asked->add_number(Asked::Form::kNumber, allowed);
   const double value = resolve("a number");
   if (!holds(allowed, value)) {
     refuse(fmt::format("value {} is out of range; allowed: {}", value, to_text(allowed)));
@@ -76,6 +85,8 @@ double Value::number(const Allowed& allowed) const {
 }
 
 std::int64_t Value::count(const Allowed& allowed) const {
+  note(Asked::Form::kCount);
+  if (notes_.asked != nullptr) notes_.asked->add_number(Asked::Form::kCount, allowed);
   // Through the text where it is a plain number: a double cannot hold every 64-bit seed.
   const std::optional<std::int64_t> exact =
       node_->is_quoted ? std::nullopt : parse_count(scalar("a whole number"));
@@ -90,6 +101,7 @@ std::int64_t Value::count(const Allowed& allowed) const {
 }
 
 bool Value::flag() const {
+  note(Asked::Form::kFlag);
   const std::string& text = scalar("true or false");
   if (node_->is_quoted || (text != "true" && text != "false")) {
     refuse(fmt::format("expected true or false, found {}", quote(text)));
@@ -98,12 +110,21 @@ bool Value::flag() const {
 }
 
 std::string Value::text() const {
+  note(Asked::Form::kText);
   const std::string& text = scalar("text");
   if (text.empty()) refuse("expected text, found nothing");
   return text;
 }
 
+bool Value::is(const std::string& word) const {
+  note(Asked::Form::kWord);
+  if (notes_.asked != nullptr) notes_.asked->add_words({word});
+  return node_->kind == TreeNode::Kind::kScalar && node_->text == word;
+}
+
 std::size_t Value::choice(std::span<const std::string> words) const {
+  note(Asked::Form::kWord);
+  if (notes_.asked != nullptr) notes_.asked->add_words({words.begin(), words.end()});
   const std::string& text = scalar("one of " + fmt::format("{}", fmt::join(words, ", ")));
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
@@ -112,18 +133,24 @@ std::size_t Value::choice(std::span<const std::string> words) const {
   return static_cast<std::size_t>(found - words.begin());
 }
 
-std::vector<Value> Value::items() const {
+std::vector<Value> Value::listed(std::size_t least, std::size_t greatest) const {
+  note(Asked::Form::kList);
+  if (notes_.asked != nullptr) notes_.asked->add_list(least, greatest);
   if (node_->kind != TreeNode::Kind::kList) {
     refuse(fmt::format("expected a list, found {}", name_of(node_->kind)));
   }
   std::vector<Value> items;
   items.reserve(node_->items.size());
-  for (const TreeNode& item : node_->items) items.emplace_back(item, name_, *variables_);
+  for (const TreeNode& item : node_->items) items.emplace_back(item, name_, *variables_, notes_.of_item());
   return items;
 }
 
+std::vector<Value> Value::items() const {
+  return listed(0, std::numeric_limits<std::size_t>::max());
+}
+
 std::vector<Value> Value::items(std::size_t num_items) const {
-  std::vector<Value> found = items();
+  std::vector<Value> found = listed(num_items, num_items);
   if (found.size() != num_items) {
     refuse(fmt::format("expected {} values, found {}", num_items, found.size()));
   }
@@ -137,7 +164,9 @@ Eigen::Vector2d Value::point_m() const {
 
 std::vector<Eigen::Vector2d> Value::points_m(std::size_t least) const {
   std::vector<Eigen::Vector2d> points;
-  for (const Value& item : items()) points.push_back(item.point_m());
+  for (const Value& item : listed(least, std::numeric_limits<std::size_t>::max())) {
+    points.push_back(item.point_m());
+  }
   if (points.size() < least) {
     refuse(fmt::format("expected at least {} points, found {}", least, points.size()));
   }

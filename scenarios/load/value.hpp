@@ -10,17 +10,11 @@
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
+#include "scenarios/load/asked.hpp"
 #include "scenarios/load/expression.hpp"
 #include "scenarios/load/node.hpp"
 
 namespace scanbed::scenarios {
-
-/// The numbers that a key allows: [least, greatest], or (least, greatest] where `open`.
-struct Allowed {
-  double least = -std::numeric_limits<double>::infinity();
-  double greatest = std::numeric_limits<double>::infinity();
-  bool open = false;  ///< `least` itself is not allowed
-};
 
 /// Farther from the origin than this nothing can be placed (sim::World says why).
 inline constexpr double kFarthest_m = 1'000.0;
@@ -34,12 +28,13 @@ inline constexpr Allowed kAngle_deg{.least = -36'000.0, .greatest = 36'000.0};
 /// fit.
 class Value {
  public:
-  Value(const TreeNode& node, std::string name, const Variables& variables)
-      : node_(&node), name_(std::move(name)), variables_(&variables) {}
+  Value(const TreeNode& node, std::string name, const Variables& variables, const Notes& notes = {})
+      : node_(&node), name_(std::move(name)), variables_(&variables), notes_(notes) {}
 
   const TreeNode& node() const { return *node_; }
   const std::string& name() const { return name_; }
   const Variables& variables() const { return *variables_; }
+  const Notes& notes() const { return notes_; }
 
   /// A number, or arithmetic over numbers and variables (in quotes where it holds a comma or a colon).
   double number(const Allowed& allowed = {}) const;
@@ -48,7 +43,9 @@ class Value {
   std::string text() const;  ///< not empty
   /// One of the words. @returns its index.
   std::size_t choice(std::span<const std::string> words) const;
-  std::vector<Value> items() const;                                ///< of a list
+  bool is(
+      const std::string& word) const;  ///< whether it is this word, where it may be something else as well
+  std::vector<Value> items() const;    ///< of a list
   std::vector<Value> items(std::size_t num_items) const;           ///< of a list of that many
   Eigen::Vector2d point_m() const;                                 ///< [x, y]
   std::vector<Eigen::Vector2d> points_m(std::size_t least) const;  ///< [[x, y], ...]
@@ -62,7 +59,11 @@ class Value {
 
   const TreeNode* node_;
   std::string name_;
+  std::vector<Value> listed(std::size_t least, std::size_t greatest) const;
+  void note(Asked::Form form) const;
+
   const Variables* variables_;
+  Notes notes_;
 };
 
 }  // namespace scanbed::scenarios

@@ -160,10 +160,10 @@ TEST_F(LoadMapTest, AnIncludedFileFindsItsMapBesideIt) {
 TEST_F(LoadMapTest, TellsWhatIsWrongWithPlace) {
   write("hall.pgm", "P2 2 1 255 0 255");
   EXPECT_EQ(error(kMap, "world: [{id: hall, map: no.yaml}]\n"),
-            "main.yaml:4:24: no file 'no.yaml' beside this one or in the library");
-  EXPECT_EQ(error(kMap, "world: [{id: hall, map: /etc/passwd}]\n").substr(0, 16), "main.yaml:4:24: ");
+            "main.yaml:4:25: no file 'no.yaml' beside this one or in the library");
+  EXPECT_EQ(error(kMap, "world: [{id: hall, map: /etc/passwd}]\n").substr(0, 16), "main.yaml:4:25: ");
   EXPECT_EQ(error(kMap, "world: [{id: hall, map: hall.yaml, box: {at: [0, 0, 0], size: [1, 1]}}]\n"),
-            "main.yaml:4:24: map: a second shape beside 'box'");
+            "main.yaml:4:25: map: a second shape beside 'box'");
   EXPECT_EQ(error(kMap, "world: [{id: hall, map: hall.yaml, closed: true}]\n"),
             "main.yaml:4:36: unknown key 'closed'; known keys: use, walls, cylinder, box, polygon, map, id, "
             "label, bottom, top, material");
@@ -183,7 +183,7 @@ TEST_F(LoadMapTest, TellsWhatIsWrongWithPlace) {
             "hall.yaml:1:8: image: hall.pgm: the image is too large: 70000 x 70000 pixels; allowed: 16777216 "
             "in all");
   write("hall.pgm", "P2 2 1 255 255 255");
-  EXPECT_EQ(error(kMap), "main.yaml:4:24: map: the map has no occupied cell");
+  EXPECT_EQ(error(kMap), "main.yaml:4:25: map: the map has no occupied cell");
   std::string dots = "P2 240 240 1";
   for (int row = 0; row < 240; ++row) {
     for (int column = 0; column < 240; ++column) dots += row % 2 == 0 && column % 2 == 0 ? " 0" : " 1";

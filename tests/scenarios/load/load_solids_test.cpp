@@ -89,14 +89,14 @@ TEST(LoadSolidsTest, BuildsAChairOfFourLegsBelowASeat) {
 
 TEST(LoadSolidsTest, RefusesShapesThatAreNotOneThing) {
   EXPECT_EQ(solid_error("{id: a}"),
-            "f:5:5: world: no shape; one of walls, cylinder, box, polygon, use: bench, use: chair");
+            "f:5:5: world: no shape; one of walls, cylinder, box, polygon, map, use: bench, use: chair");
   EXPECT_EQ(solid_error("{id: a, walls: [[5, 5], [6, 5]], box: {at: [5, 5, 0], size: [1, 1]}}"),
             "f:5:43: box: a second shape beside 'walls'");
   EXPECT_EQ(solid_error("{id: a, cylindre: {at: [5, 5], r: 1}}"),
             "f:5:13: unknown key 'cylindre'; did you mean 'cylinder'?");
   EXPECT_EQ(
       solid_error("{id: a, cylinder: {at: [5, 5], r: 1}, closed: true}"),
-      "f:5:43: unknown key 'closed'; known keys: use, walls, cylinder, box, polygon, id, label, bottom, "
+      "f:5:43: unknown key 'closed'; known keys: use, walls, cylinder, box, polygon, map, id, label, bottom, "
       "top, material");
 }
 
