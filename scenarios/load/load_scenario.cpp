@@ -104,26 +104,35 @@ Scenario read_tree(const TreeNode& root, const Notes& notes) {
   return load_tree(Value(root, "scenario", variables, notes));
 }
 
-// The object whose id a message quotes ("solid 'col_L': ..."; of a bench's foot "'bench_L.foot_0'"), if any.
-const TreeNode* find_named_in(std::string_view message, const TreeNode& node) {
+/// An object of the file and where a message first quotes its id.
+struct Named {
+  const TreeNode* node = nullptr;
+  std::size_t at = std::string_view::npos;
+};
+
+// Of "solid 'col_L': ..."; of a bench's foot "'bench_L.foot_0'".
+std::size_t find_quoted(std::string_view message, const std::string& id) {
+  const std::string name = "'" + id;
+  return std::min(message.find(name + "'"), message.find(name + "."));
+}
+
+// The object that a message names first: that is whose fault it is.
+Named find_named_in(std::string_view message, const TreeNode& node) {
+  Named first;
+  const auto take = [&](const Named& other) {
+    if (other.at < first.at) first = other;
+  };
   for (const NodeEntry& entry : node.entries) {
-    if (entry.key == "id") {
-      const std::string name = "'" + entry.value.text;
-      const bool is_named = message.find(name + "'") != std::string_view::npos ||
-                            message.find(name + ".") != std::string_view::npos;
-      if (is_named) return &node;
-    }
-    if (const TreeNode* found = find_named_in(message, entry.value)) return found;
+    if (entry.key == "id") take({&node, find_quoted(message, entry.value.text)});
+    take(find_named_in(message, entry.value));
   }
-  for (const TreeNode& item : node.items) {
-    if (const TreeNode* found = find_named_in(message, item)) return found;
-  }
-  return nullptr;
+  for (const TreeNode& item : node.items) take(find_named_in(message, item));
+  return first;
 }
 
 // Where to look for what a message is about: the object that it names, else the section that it begins with.
 Place place_of(std::string_view message, const TreeNode& root) {
-  if (const TreeNode* named = find_named_in(message, root)) return named->place;
+  if (const TreeNode* named = find_named_in(message, root).node) return named->place;
   for (const NodeEntry& entry : root.entries) {
     if (message.starts_with(entry.key)) return entry.value.place;
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/check_places.hpp"
 #include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
 #include "sim/world/rounded_path.hpp"
@@ -193,54 +194,6 @@ void check_ids(const World& world) {
   }
 }
 
-/// Something round that must find room at its start.
-struct Disc {
-  Vector2d center_m;
-  double radius_m;
-  double height_m;  ///< what hangs above it is not in its way
-};
-
-void check_room(const World& world, const Disc& disc, const std::string& name) {
-  for (const Solid& solid : world.solids) {
-    if (solid.bottom_m >= disc.height_m || solid.top_m <= 0.0) continue;
-    const double room_m = clearance_m(solid.shape, disc.center_m);
-    require(room_m >= disc.radius_m, name + ": distance to " + quoted("solid", solid.id), room_m,
-            ">= " + std::to_string(disc.radius_m) + " m, its radius");
-  }
-}
-
-void check_room_of_tow(const World& world, const Tow& tow, const Pose2& X_WP) {
-  const std::string name = quoted("towed cylinder", tow.id) + ": start, a rope's length behind its walker";
-  const Vector2d p_WC = X_WP * Vector2d(-(tow.rope_m + tow.radius_m), 0.0);
-  check_room(world, {p_WC, tow.radius_m, tow.height_m}, name);
-  for (const Solid& solid : world.solids) {
-    if (solid.bottom_m >= tow.height_m) continue;
-    for (const Edge& edge : outline(solid.shape)) {
-      require(!crosses(edge, X_WP.p_m, p_WC),
-              name + ": rope through " + quoted("solid", solid.id) + ": length_m", tow.rope_m,
-              "shorter than to there");
-    }
-  }
-}
-
-void check_room_of_walker(const World& world, const Walker& walker) {
-  const std::string name = quoted("walker", walker.id);
-  const double radius_m = walker.leg_radius_m;
-  const RoundedPath path(walker.path);
-  const Pose2 X_WP = path.pose_at(0.0) * Pose2{{0.0, walker.lateral_m}, 0.0};
-  check_room(world, {X_WP.p_m, radius_m, walker.height_m}, name + ": start of its path");
-  for (std::size_t i = 0; i < walker.path.points_m.size() && walker.path.round_m == 0.0; ++i) {
-    for (const Solid& solid : world.solids) {
-      if (solid.bottom_m >= walker.height_m || std::holds_alternative<WallChain>(solid.shape)) continue;
-      const double room_m = clearance_m(solid.shape, walker.path.points_m[i]);
-      require(room_m > 0.0,
-              name + ": path point " + std::to_string(i) + ": distance to " + quoted("solid", solid.id),
-              room_m, "> 0 m, outside it");
-    }
-  }
-  if (walker.tow) check_room_of_tow(world, *walker.tow, X_WP);
-}
-
 }  // namespace
 
 void World::validate() const {
@@ -248,8 +201,7 @@ void World::validate() const {
   for (const Walker& walker : walkers) check_walker(walker);
   check_robot(robot);
   check_ids(*this);
-  check_room(*this, {robot.X_WR.p_m, robot.radius_m, robot.laser_height_m}, "robot: start");
-  for (const Walker& walker : walkers) check_room_of_walker(*this, walker);
+  check_places(*this);
 }
 
 }  // namespace scanbed::sim

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world/check_places.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/errors/input_error.hpp"
+#include "sim/world/rounded_path.hpp"
+#include "sim/world/solid_geometry.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector2d;
+using Bounds = Eigen::AlignedBox2d;
+
+constexpr double kRounding_m = 1e-9;
+
+std::string quoted(const char* kind, const std::string& id) {
+  return std::string(kind) + " '" + id + "'";
+}
+
+/// Something round that must find room at its start.
+struct Disc {
+  Vector2d center_m;
+  double radius_m;
+  double height_m;  ///< what hangs above it is not in its way
+};
+
+void check_room(const World& world, const Disc& disc, const std::string& name) {
+  for (const Solid& solid : world.solids) {
+    if (solid.bottom_m >= disc.height_m || solid.top_m <= 0.0) continue;
+    const double room_m = clearance_m(solid.shape, disc.center_m);
+    require(room_m >= disc.radius_m, name + ": distance to " + quoted("solid", solid.id), room_m,
+            ">= " + std::to_string(disc.radius_m) + " m, its radius");
+  }
+}
+
+void check_room_of_tow(const World& world, const Tow& tow, const Pose2& X_WP) {
+  const std::string name = quoted("towed cylinder", tow.id) + ": start, a rope's length behind its walker";
+  const Vector2d p_WC = X_WP * Vector2d(-(tow.rope_m + tow.radius_m), 0.0);
+  check_room(world, {p_WC, tow.radius_m, tow.height_m}, name);
+  for (const Solid& solid : world.solids) {
+    if (solid.bottom_m >= tow.height_m) continue;
+    for (const Edge& edge : outline(solid.shape)) {
+      require(!crosses(edge, X_WP.p_m, p_WC),
+              name + ": rope through " + quoted("solid", solid.id) + ": length_m", tow.rope_m,
+              "shorter than to there");
+    }
+  }
+}
+
+void check_room_of_walker(const World& world, const Walker& walker) {
+  const std::string name = quoted("walker", walker.id);
+  const double radius_m = walker.leg_radius_m;
+  const RoundedPath path(walker.path);
+  const Pose2 X_WP = path.pose_at(0.0) * Pose2{{0.0, walker.lateral_m}, 0.0};
+  check_room(world, {X_WP.p_m, radius_m, walker.height_m}, name + ": start of its path");
+  for (std::size_t i = 0; i < walker.path.points_m.size() && walker.path.round_m == 0.0; ++i) {
+    for (const Solid& solid : world.solids) {
+      if (solid.bottom_m >= walker.height_m || std::holds_alternative<WallChain>(solid.shape)) continue;
+      const double room_m = clearance_m(solid.shape, walker.path.points_m[i]);
+      require(room_m > 0.0,
+              name + ": path point " + std::to_string(i) + ": distance to " + quoted("solid", solid.id),
+              room_m, "> 0 m, outside it");
+    }
+  }
+  if (walker.tow) check_room_of_tow(world, *walker.tow, X_WP);
+}
+
+bool is_filled(const Solid& solid) {
+  return !std::holds_alternative<WallChain>(solid.shape);
+}
+
+Bounds bounds_of(const SolidShape& shape) {
+  Bounds bounds;
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+    const Vector2d reach = Vector2d::Constant(cylinder->radius_m);
+    bounds.extend(cylinder->center_m - reach);
+    bounds.extend(cylinder->center_m + reach);
+  }
+  for (const Edge& edge : outline(shape)) {
+    bounds.extend(edge.a_m);
+    bounds.extend(edge.b_m);
+  }
+  return bounds;
+}
+
+// Both of what is filled: such shapes are convex, so their corners say all.
+bool is_wholly_within(const Solid& inner, const Solid& outer) {
+  if (inner.bottom_m < outer.bottom_m || inner.top_m > outer.top_m) return false;
+  if (const auto* cylinder = std::get_if<Cylinder>(&inner.shape)) {
+    return clearance_m(outer.shape, cylinder->center_m) <= kRounding_m - cylinder->radius_m;
+  }
+  const std::vector<Edge> edges = outline(inner.shape);
+  return std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return clearance_m(outer.shape, edge.a_m) <= kRounding_m &&
+           clearance_m(outer.shape, edge.b_m) <= kRounding_m;
+  });
+}
+
+void check_hidden(const World& world, const std::vector<Bounds>& bounds) {
+  for (std::size_t i = 0; i < world.solids.size(); ++i) {
+    if (!is_filled(world.solids[i])) continue;
+    Bounds reach = bounds[i];
+    reach.extend(reach.min() - Vector2d::Constant(kRounding_m));
+    reach.extend(reach.max() + Vector2d::Constant(kRounding_m));
+    for (std::size_t j = 0; j < world.solids.size(); ++j) {
+      if (i == j || !reach.contains(bounds[j])) continue;
+      if (!is_wholly_within(world.solids[j], world.solids[i])) continue;
+      throw InputError(quoted("solid", world.solids[j].id) + ": lies wholly within " +
+                       quoted("solid", world.solids[i].id) + "; allowed: at least partly outside");
+    }
+  }
+}
+
+// By the crossings of a ray to the right; of closed walls.
+bool is_enclosed(const std::vector<Edge>& edges, const Vector2d& p_WQ) {
+  bool is_inside = false;
+  for (const Edge& edge : edges) {
+    if ((edge.a_m.y() > p_WQ.y()) == (edge.b_m.y() > p_WQ.y())) continue;
+    const double t = (p_WQ.y() - edge.a_m.y()) / (edge.b_m.y() - edge.a_m.y());
+    if (edge.a_m.x() + t * (edge.b_m.x() - edge.a_m.x()) > p_WQ.x()) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+// Closed walls that go round everything but the robot are where the scenario is: the robot stands outside by
+// mistake. Walls alone are no such place; they may be meant to be seen from outside.
+void check_enclosed(const World& world, const std::vector<Bounds>& bounds) {
+  std::vector<Vector2d> others;
+  for (const Walker& walker : world.walkers) {
+    others.insert(others.end(), walker.path.points_m.begin(), walker.path.points_m.end());
+  }
+  for (const Bounds& b : bounds) others.push_back(b.center());
+  if (others.size() < 2) return;
+  for (std::size_t i = 0; i < world.solids.size(); ++i) {
+    const auto* walls = std::get_if<WallChain>(&world.solids[i].shape);
+    if (walls == nullptr || !walls->closed) continue;
+    const bool is_around =
+        std::all_of(bounds.begin(), bounds.end(), [&](const Bounds& b) { return bounds[i].contains(b); });
+    if (!is_around) continue;
+    const std::vector<Edge> edges = outline(world.solids[i].shape);
+    const auto is_in = [&](const Vector2d& p_WQ) { return is_enclosed(edges, p_WQ); };
+    if (is_in(world.robot.X_WR.p_m) || !std::all_of(others.begin(), others.end(), is_in)) continue;
+    throw InputError("robot: start: is outside " + quoted("solid", world.solids[i].id) +
+                     ", which encloses everything else; allowed: inside");
+  }
+}
+
+}  // namespace
+
+void check_places(const World& world) {
+  std::vector<Bounds> bounds;
+  for (const Solid& solid : world.solids) bounds.push_back(bounds_of(solid.shape));
+  check_hidden(world, bounds);
+  check_room(world, {world.robot.X_WR.p_m, world.robot.radius_m, world.robot.laser_height_m}, "robot: start");
+  check_enclosed(world, bounds);
+  for (const Walker& walker : world.walkers) check_room_of_walker(world, walker);
+}
+
+}  // namespace scanbed::sim
