@@ -325,6 +325,40 @@ RC_GTEST_PROP(RayCasterTest, AgreesWithTheSlowObviousVersion, ()) {
   }
 }
 
+// Whatever is round it: to one side at least the wall is met at once, to the other beams may leave it (it is
+// then a rounding away) and meet what they would without it.
+RC_GTEST_PROP(RayCasterTest, OnAWallEveryBeamMeetsItOrWhatLiesBehind, ()) {
+  RandomWorld world = random_world();
+  RC_PRE(!world.slice.segments.empty());
+  const std::size_t on = *rc::gen::inRange<std::size_t>(0, world.slice.segments.size());
+  const SliceSegment wall = world.slice.segments[on];
+  RC_PRE((wall.b_m - wall.a_m).norm() > 0.1);
+  world.X_WS.p_m = wall.a_m + *rc::gen::inRange(1, 100) / 100.0 * (wall.b_m - wall.a_m);
+  PlanarSlice others = world.slice;
+  others.segments.erase(others.segments.begin() + static_cast<std::ptrdiff_t>(on));
+  RC_PRE(distance_to_surface_m(others, world.X_WS.p_m) > 1e-6);
+  world.geometry = full_turn();
+  RayCaster caster(world.geometry);
+  caster.cast(world.slice, world.X_WS);
+  int num_at_once = 0;
+  for (int i = 0; i < caster.num_beams(); ++i) {
+    if (caster.range_m(i) < 1e-9 && caster.object(i) == wall.object) {
+      ++num_at_once;
+      continue;
+    }
+    if (caster.object(i) == wall.object) continue;  // along the wall
+    if (caster.object(i) != kNoObject && std::cos(caster.incidence_rad(i)) < 0.02) continue;
+    const double bearing_W_rad = world.X_WS.theta_rad + world.geometry.bearing_rad(i);
+    bool agrees = false;
+    for (const double turn_rad : {0.0, -1e-9, 1e-9}) {
+      const double expected_m = slow_cast(others, world.X_WS.p_m, bearing_W_rad + turn_rad);
+      agrees = agrees || same_range(caster.range_m(i), expected_m);
+    }
+    RC_ASSERT(agrees);
+  }
+  RC_ASSERT(num_at_once >= caster.num_beams() / 2 - 2);
+}
+
 /// The same world with every surface a little smaller or larger.
 PlanarSlice resized(const PlanarSlice& slice, const Vector2d& from_m, double sign) {
   // Box2D counts in floats: 24 bits. Places within 14 m of the origin are off by up to 14 m / 2^24 = 8e-7 m;
