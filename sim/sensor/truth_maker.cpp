@@ -42,13 +42,17 @@ void TruthMaker::begin(const Pose2& X_WS) {
 
 void TruthMaker::add_piece(BeamSubset beams, const PlanarSlice& slice, const Pose2& X_LS) {
   const int piece = num_pieces_++;
-  if (static_cast<int>(places_.size()) < num_pieces_) places_.emplace_back();
+  if (static_cast<int>(places_.size()) < num_pieces_) {
+    places_.emplace_back();
+    X_SL_.emplace_back();
+  }
+  const Pose2 X_SL = X_LS.inverse();
+  X_SL_[piece] = {X_SL.p_m, X_SL.heading()};
   std::vector<Place>& places = places_[piece];
   places.assign(truth_.objects.size(), {});
-  const Pose2 X_SL = X_LS.inverse();
-  for (const SliceSegment& s : slice.segments) places[s.object] = {X_SL * s.a_m, X_SL * s.b_m};
-  for (const SliceDisc& d : slice.discs) places[d.object].a_m = X_SL * d.center_m;
-  for (const SliceArc& a : slice.arcs) places[a.object].a_m = X_SL * a.center_m;
+  for (const SliceSegment& s : slice.segments) places[s.object] = {s.a_m, s.b_m, true};
+  for (const SliceDisc& d : slice.discs) places[d.object] = {d.center_m, Eigen::Vector2d::Zero(), true};
+  for (const SliceArc& a : slice.arcs) places[a.object] = {a.center_m, Eigen::Vector2d::Zero(), true};
   const int num_beams = static_cast<int>(piece_of_beam_.size());
   for (int i = 0, beam = beams.first; i < beams.count && beam < num_beams; ++i, beam += beams.stride) {
     piece_of_beam_[beam] = piece;
@@ -88,11 +92,13 @@ void TruthMaker::finish(const IdealReturns& returns, double max_range_m) {
   }
   find_middle_pieces();
   for (std::size_t i = 0; i < truth_.objects.size(); ++i) {
-    const Place& place = places_[middle_piece_[i]][i];
+    const int piece = middle_piece_[i];
+    const Place& place = places_[piece][i];
     ObjectTruth& object = truth_.objects[i];
     const bool is_line = object.primitive == Primitive::kLine;
-    (is_line ? object.from_m : object.center_m) = place.a_m;
-    if (is_line) object.to_m = place.b_m;
+    const Eigen::Vector2d nowhere = Eigen::Vector2d::Zero();
+    (is_line ? object.from_m : object.center_m) = place.is_cut ? X_SL_[piece] * place.a_m : nowhere;
+    if (is_line) object.to_m = place.is_cut ? X_SL_[piece] * place.b_m : nowhere;
   }
 }
 

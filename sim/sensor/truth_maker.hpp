@@ -32,10 +32,22 @@ class TruthMaker {
   const Truth& truth() const { return truth_; }
 
  private:
-  /// Where one piece of the scan saw an object, sensor frame.
+  /// Where an object was at the time of one piece of the scan, in the frame L of its slice.
   struct Place {
     Eigen::Vector2d a_m = Eigen::Vector2d::Zero();  ///< centre, or one end
     Eigen::Vector2d b_m = Eigen::Vector2d::Zero();  ///< the other end
+    bool is_cut = false;                            ///< by the laser's plane; else it is nowhere
+  };
+
+  /// A pose whose sine and cosine are known: of all the places only few are asked for.
+  struct Transform {
+    Eigen::Vector2d p_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d heading = Eigen::Vector2d::UnitX();
+
+    Eigen::Vector2d operator*(const Eigen::Vector2d& p) const {
+      return p_m + Eigen::Vector2d(heading.x() * p.x() - heading.y() * p.y(),
+                                   heading.y() * p.x() + heading.x() * p.y());
+    }
   };
 
   void take_beams(const IdealReturns& returns, double max_range_m);
@@ -43,6 +55,7 @@ class TruthMaker {
 
   Truth truth_;
   std::vector<std::vector<Place>> places_;  ///< [piece][object]
+  std::vector<Transform> X_SL_;             ///< [piece]
   int num_pieces_ = 0;
   std::vector<int> piece_of_beam_;
   std::vector<int> num_seen_;      ///< while finishing: clean beams so far, of each object
