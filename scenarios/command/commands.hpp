@@ -29,11 +29,20 @@ enum ExitCode : int {
 // What the command line asks for, one struct a subcommand, with values already checked; and what does it. All
 // throw InputError, SensorFault or OutputFault for main to turn into an exit code.
 
+/// Seeds from the first to the last.
+struct SeedRange {
+  std::uint64_t first = 1;
+  std::uint64_t last = 1;
+
+  int count() const { return static_cast<int>(last - first) + 1; }
+};
+
 /// `scanbed run SCENARIO...`
 struct RunCommand {
-  std::vector<std::string> scenarios;
+  std::vector<std::string> scenarios;  ///< names, patterns of names, files
   LaserSpec laser;
-  std::optional<std::uint64_t> seed;
+  std::optional<SeedRange> seeds;  ///< each scenario runs once for each; empty: with its own
+  int num_workers = 1;             ///< runs at the same time
   DetectorChoice detector;
   std::vector<Setting> settings;  ///< of the scenario; Table II names go to the detector
   std::optional<std::filesystem::path> json;
@@ -41,6 +50,7 @@ struct RunCommand {
   std::optional<std::filesystem::path> record;  ///< recording to write
   std::optional<std::filesystem::path> truth;   ///< of scans that come from a device
   bool quiet = false;
+  bool tables = false;                           ///< each run's own table, where there are several
   bool track = false;                            ///< score what was followed, too
   sim::Backend backend = sim::Backend::kPlanar;  ///< of simulated lasers
 };

@@ -11,17 +11,19 @@ namespace scanbed::scenarios {
 /// is no terminal, and for work that is done within half a second.
 class Progress {
  public:
-  explicit Progress(std::string what);
+  /// @param unit  of what is counted.
+  explicit Progress(std::string what, std::string unit = "scans");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(std::int64_t num_scans);
+  void show(std::int64_t count);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
+  std::string unit_;
   bool is_terminal_;
   bool is_shown_ = false;
   Clock::time_point next_;

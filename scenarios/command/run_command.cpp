@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
+#include <span>
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
@@ -12,106 +13,71 @@
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
-#include "scenarios/command/recorder.hpp"
+#include "scenarios/command/run_one.hpp"
 #include "scenarios/command/shared_flags.hpp"
+#include "scenarios/load/library.hpp"
+#include "scenarios/load/place.hpp"
 #include "scenarios/report/run_json.hpp"
+#include "scenarios/report/run_summary.hpp"
 #include "scenarios/report/score_table.hpp"
-#include "scenarios/run/live_sensor.hpp"
-#include "scenarios/run/picture_taker.hpp"
-#include "scenarios/run/run_scenario.hpp"
+#include "scenarios/run/in_order.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
-struct RunAndPictures {
-  RunResult result;
-  std::vector<std::filesystem::path> pictures;
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw OutputFault(fmt::format("{}: {}", path.string(), error.message()));
+}
+
+// One scenario with one seed. The first seed of each is loaded before anything runs, so that a misspelt name
+// shows at once; the others by who runs them.
+struct Task {
+  std::string name;
+  std::optional<std::uint64_t> seed;
+  std::optional<Scenario> scenario;
+  std::optional<std::filesystem::path> out;  // folder for its pictures
 };
 
-Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
-  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
-  if (command.record) add_scenario(metadata, command.scenarios.front(), scenario.seed);
-  return {command.record, metadata};
+std::vector<Task> tasks_of(const RunCommand& command, std::span<const Setting> settings) {
+  std::vector<Task> tasks;
+  for (const std::string& pattern : command.scenarios) {
+    for (const std::string& name : names_that_fit(pattern)) {
+      const int num_seeds = command.seeds ? command.seeds->count() : 1;
+      for (int i = 0; i < num_seeds; ++i) {
+        Task task{.name = name, .seed = {}, .scenario = {}, .out = command.out};
+        if (command.seeds) task.seed = command.seeds->first + static_cast<std::uint64_t>(i);
+        if (i == 0) task.scenario = open_scenario(name, settings, task.seed);
+        if (command.out && num_seeds > 1) task.out = *command.out / fmt::format("seed_{}", *task.seed);
+        tasks.push_back(std::move(task));
+      }
+    }
+  }
+  return tasks;
 }
 
-RunAndPictures run_simulated(const RunCommand& command, const Scenario& scenario,
-                             const Processing& processing) {
-  const std::unique_ptr<sim::SimulatedLms> sensor =
-      simulate(scenario, command.backend, processing.detector.options());
-  std::optional<PictureTaker> pictures;
-  if (command.out) pictures.emplace(scenario, *sensor, *command.out);
-  Recorder recorder = open_recorder(command, scenario);
-  Progress progress(scenario.name);
-  RunAndPictures run;
-  run.result =
-      run_scenario(scenario, *sensor, processing, [&](const LaserScan& scan, const Features& features) {
-        if (pictures) pictures->see(scan, features);
-        recorder.see(scan, features, *sensor);
-        progress.show(scan.index + 1);
-        return !is_interrupted();
-      });
-  recorder.finish();
-  if (pictures) run.pictures = pictures->files();
-  return run;
-}
-
-RunAndPictures run_on_log(const RunCommand& command, const Scenario& scenario, const Processing& processing) {
-  const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
-  Recorder recorder = open_recorder(command, scenario);
-  Progress progress(scenario.name);
-  RunAndPictures run;
-  run.result = run_scenario(scenario, *log, processing, [&](const LaserScan& scan, const Features& features) {
-    recorder.see(scan, features, *log);
-    progress.show(scan.index + 1);
-    return !is_interrupted();
-  });
-  recorder.finish();
-  log_note(to_text(log->counts()));
-  return run;
-}
-
-// As many scans of a device as the scenario's simulated laser would give.
-RunAndPictures run_on_device(const RunCommand& command, const Scenario& scenario,
-                             const Processing& processing) {
-  const double num_scans = std::ceil(scenario.duration_s / scenario.lms.scan_period_s - 1e-9);
-  LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
-                                                 .is_interrupted = is_interrupted,
-                                                 .truth = command.truth,
-                                                 .warn = log_warning});
-  Recorder recorder = open_recorder(command, scenario);
-  Progress progress(scenario.name);
-  RunAndPictures run;
-  run.result =
-      run_scenario(scenario, sensor, processing, [&](const LaserScan& scan, const Features& features) {
-        recorder.see(scan, features, sensor);
-        progress.show(scan.index + 1);
-        return !is_interrupted();
-      });
-  recorder.finish();
-  return run;
-}
-
-RunAndPictures run_one(const RunCommand& command, const Scenario& scenario, const Processing& processing) {
-  if (command.laser.is_device()) return run_on_device(command, scenario, processing);
-  if (command.laser.kind == LaserKind::kLog) return run_on_log(command, scenario, processing);
-  return run_simulated(command, scenario, processing);
-}
-
-void check(const RunCommand& command) {
+void check_laser(const RunCommand& command) {
   if (command.truth && !command.laser.is_device()) {
     throw InputError("--truth: only for scans of a device; write --laser sick:PORT");
   }
-  if (!command.laser.target.empty() && command.laser.kind == LaserKind::kSimulated) {
+  if (command.laser.kind == LaserKind::kSimulated) {
+    if (command.laser.target.empty()) return;
     throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
   }
-  if (command.record && command.scenarios.size() > 1) {
-    throw InputError("--record: one recording holds one scenario; found " +
-                     std::to_string(command.scenarios.size()));
+  if (command.seeds && command.seeds->count() > 1) {
+    throw InputError("--seed: several seeds only for the simulated laser; found --laser " +
+                     command.laser.text);
   }
-  if (!command.out) return;
-  std::error_code error;
-  std::filesystem::create_directories(*command.out, error);
-  if (error) throw OutputFault(fmt::format("{}: {}", command.out->string(), error.message()));
+}
+
+void check_tasks(const RunCommand& command, const std::vector<Task>& tasks) {
+  if (command.record && tasks.size() > 1) {
+    throw InputError(fmt::format("--record: one recording holds one run; found {}", tasks.size()));
+  }
+  for (const Task& task : tasks) {
+    if (task.out) make_folder(*task.out);
+  }
 }
 
 std::string describe(const RunAndPictures& run) {
@@ -120,19 +86,58 @@ std::string describe(const RunAndPictures& run) {
   return text;
 }
 
-ExitCode exit_code(const std::vector<RunResult>& results) {
-  if (is_interrupted()) return kExitInterrupted;
-  for (const RunResult& result : results) {
-    if (!result.is_accepted()) return kExitGateMissed;
-  }
-  return kExitFine;
+// Devices and recordings are read one after the other; pictures are painted on one thread.
+int num_workers(const RunCommand& command) {
+  const bool is_alone = command.laser.kind != LaserKind::kSimulated || command.out || command.record;
+  return is_alone ? 1 : command.num_workers;
 }
+
+// Tells of each run as it ends, and of all of them.
+class Reporter {
+ public:
+  Reporter(const RunCommand& command, int num_runs)
+      : command_(command), num_runs_(num_runs), progress_(fmt::format("{} runs", num_runs), "done") {}
+
+  void take(RunAndPictures run) {
+    const RunResult& result = run.result;
+    if (result.passed_unexpectedly()) {
+      log_warning(result.scenario + ": passed, although known to fail: " + *result.known_fail);
+    }
+    if (prints() && (num_runs_ == 1 || command_.tables)) {
+      write_whole(std::nullopt, (results_.empty() ? "" : "\n") + describe(run));
+    }
+    results_.push_back(std::move(run.result));
+    if (num_runs_ > 1) progress_.show(static_cast<std::int64_t>(results_.size()));
+  }
+
+  ExitCode finish() const {
+    if (prints() && num_runs_ > 1) {
+      write_whole(std::nullopt, (command_.tables ? "\n" : "") + run_summary(results_));
+    }
+    if (command_.json) write_whole(command_.json, run_json(results_));
+    if (is_interrupted()) return kExitInterrupted;
+    const bool is_fine = std::all_of(results_.begin(), results_.end(),
+                                     [](const RunResult& result) { return result.is_accepted(); });
+    return is_fine ? kExitFine : kExitGateMissed;
+  }
+
+ private:
+  bool prints() const { return !command_.quiet && command_.json != "-"; }
+
+  const RunCommand& command_;
+  int num_runs_;
+  std::vector<RunResult> results_;
+  Progress progress_;
+};
 
 struct RunTexts {
   std::vector<std::string> scenarios;
   std::string laser = "sim";
   std::string truth;
-  SeedFlag seed;
+  SeedsFlag seeds;
+  JobsFlag jobs;
+  bool all = false;
+  bool tables = false;
   std::string json;
   std::string out;
   bool is_quiet = false;
@@ -143,10 +148,21 @@ struct RunTexts {
   SettingFlag settings;
 };
 
+// --all is a pattern that every name fits.
+std::vector<std::string> scenarios_of(const RunTexts& texts) {
+  if (texts.all && !texts.scenarios.empty()) {
+    throw InputError("--all: goes without scenarios; found " + quote(texts.scenarios.front()));
+  }
+  if (texts.all) return {"*"};
+  if (texts.scenarios.empty()) throw InputError("SCENARIO is required; see 'scanbed run --help'");
+  return texts.scenarios;
+}
+
 RunCommand to_run(const RunTexts& texts) {
-  return {.scenarios = texts.scenarios,
+  return {.scenarios = scenarios_of(texts),
           .laser = parse_laser_spec(texts.laser),
-          .seed = texts.seed.value(),
+          .seeds = texts.seeds.value(),
+          .num_workers = texts.jobs.value(),
           .detector = texts.detector.value(),
           .settings = texts.settings.values(),
           .json = to_path(texts.json),
@@ -154,6 +170,7 @@ RunCommand to_run(const RunTexts& texts) {
           .record = to_path(texts.record.text),
           .truth = to_path(texts.truth),
           .quiet = texts.is_quiet,
+          .tables = texts.tables,
           .track = texts.track,
           .backend = texts.backend.value()};
 }
@@ -161,44 +178,51 @@ RunCommand to_run(const RunTexts& texts) {
 }  // namespace
 
 ExitCode execute(const RunCommand& command) {
-  check(command);
+  check_laser(command);
   const SortedSettings settings = sort_settings(command.settings);
   const AnalysisOptions options = open_detector(command.detector, settings.detector);
-  FeatureDetector detector(options.detector);
-  // All are loaded before the first one runs: a misspelt name shows at once.
-  std::vector<Scenario> scenarios;
-  for (const std::string& name : command.scenarios) {
-    scenarios.push_back(open_scenario(name, settings.scenario, command.seed));
-  }
-  std::vector<RunResult> results;
-  const bool prints_table = !command.quiet && command.json != "-";
-  for (const Scenario& scenario : scenarios) {
-    if (is_interrupted()) break;
-    RunAndPictures run =
-        run_one(command, scenario, {detector, command.track, command.detector.preset, options.track});
-    run.result.laser = command.laser.text;
-    if (run.result.passed_unexpectedly()) {
-      log_warning(scenario.name + ": passed, although known to fail: " + *scenario.known_fail);
-    }
-    if (prints_table) write_whole(std::nullopt, (results.empty() ? "" : "\n") + describe(run));
-    results.push_back(std::move(run.result));
-  }
-  if (command.json) write_whole(command.json, run_json(results));
-  return exit_code(results);
+  std::vector<Task> tasks = tasks_of(command, settings.scenario);
+  check_tasks(command, tasks);
+  Reporter reporter(command, static_cast<int>(tasks.size()));
+  std::vector<std::optional<RunAndPictures>> runs(tasks.size());
+  do_in_order(
+      {.num_jobs = static_cast<int>(tasks.size()),
+       .num_workers = num_workers(command),
+       .work =
+           [&](int i) {
+             if (is_interrupted()) return;
+             Task& task = tasks[i];
+             if (!task.scenario) {
+               task.scenario = open_scenario(task.name, settings.scenario, task.seed);
+             }
+             FeatureDetector detector(options.detector);
+             const Processing processing{detector, command.track, command.detector.preset, options.track};
+             runs[i] = run_one(command, {*task.scenario, processing, task.out, tasks.size() == 1});
+             task.scenario.reset();
+           },
+       .finish =
+           [&](int i) {
+             if (runs[i]) reporter.take(std::move(*runs[i]));
+             return runs[i].has_value();
+           }});
+  return reporter.finish();
 }
 
 Usage run_usage() {
   auto texts = std::make_shared<RunTexts>();
   Usage usage{.name = "run", .summary = "Run scenarios, score the detectors, hold scores against gates"};
   usage.flags = {
-      {"SCENARIO", "", "Names of the library or YAML files", &texts->scenarios, true},
+      {"SCENARIO", "", "Names of the library, patterns such as 'noise_*', or YAML files", &texts->scenarios},
+      {"--all", "", "The whole library", &texts->all},
       {"--laser", "SPEC", "sim, log:FILE, sick:PORT, scip:PORT or cola:HOST", &texts->laser},
       {"--truth", "FILE", "Truth of a device's scans, as emulate writes it", &texts->truth},
-      texts->seed.flag(),
+      texts->seeds.flag(),
+      texts->jobs.flag(),
       {"--json", "FILE", "Write results as JSON; - is standard output", &texts->json},
       {"--out", "DIR", "Write the scenario's pictures here", &texts->out},
       {"--track", "", "Follow people and cylinders, and score that too", &texts->track},
       {"--quiet", "", "No table", &texts->is_quiet},
+      {"--tables", "", "Each run's own table before the summary of several", &texts->tables},
       texts->record.flag(),
       texts->backend.flag(),
       texts->detector.preset_flag(),
@@ -208,6 +232,8 @@ Usage run_usage() {
   usage.footer = R"(Examples:
   scanbed run static_hallway
   scanbed run static_hallway --seed 7 --set sensor.noise.sigma=0.012 --json -
+  scanbed run --all
+  scanbed run 'noise_*' crowd --seed 1..20 --jobs 2
   scanbed run my_hall.yaml --preset paper --set line_err=0.02 --out pictures
 )" + table_two_text();
   usage.command = [texts] { return to_run(*texts); };

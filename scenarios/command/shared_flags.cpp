@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <thread>
 
 #include "core/detect/table_two.hpp"
+#include "core/errors/input_error.hpp"
 #include "scenarios/command/flag_values.hpp"
+#include "scenarios/load/place.hpp"
 
 namespace scanbed::scenarios {
 
@@ -29,6 +33,38 @@ Flag SeedFlag::flag() {
 std::optional<std::uint64_t> SeedFlag::value() const {
   if (text.empty()) return std::nullopt;
   return static_cast<std::uint64_t>(to_count("--seed", text, 0));
+}
+
+Flag SeedsFlag::flag() {
+  return {"--seed", "N|A..B", "In place of the scenario's own; one run for each from A to B", &text};
+}
+
+std::optional<SeedRange> SeedsFlag::value() const {
+  constexpr std::uint64_t kMostSeeds = 100'000;
+  if (text.empty()) return std::nullopt;
+  const std::size_t dots = text.find("..");
+  const auto seed = [](const std::string& number) {
+    return static_cast<std::uint64_t>(to_count("--seed", number, 0));
+  };
+  if (dots == std::string::npos) return SeedRange{seed(text), seed(text)};
+  const SeedRange range{seed(text.substr(0, dots)), seed(text.substr(dots + 2))};
+  if (range.last < range.first) throw InputError("--seed: " + quote(text) + ": ends before it begins");
+  if (range.last - range.first >= kMostSeeds) {
+    throw InputError(fmt::format("--seed: {}: too many; allowed: {} seeds", quote(text), kMostSeeds));
+  }
+  return range;
+}
+
+Flag JobsFlag::flag() {
+  return {"--jobs", "N", "Runs at the same time; as many as there are cores", &text};
+}
+
+int JobsFlag::value() const {
+  constexpr std::int64_t kMostJobs = 256;
+  if (text.empty()) return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const std::int64_t count = to_count("--jobs", text, 1);
+  require(count <= kMostJobs, "--jobs", static_cast<double>(count), fmt::format("[1, {}]", kMostJobs));
+  return static_cast<int>(count);
 }
 
 Flag BackendFlag::flag() {

@@ -28,6 +28,22 @@ struct SeedFlag {
   std::optional<std::uint64_t> value() const;
 };
 
+/// `--seed N` or `--seed A..B`.
+struct SeedsFlag {
+  std::string text;
+
+  Flag flag();
+  std::optional<SeedRange> value() const;
+};
+
+/// `--jobs N`.
+struct JobsFlag {
+  std::string text;
+
+  Flag flag();
+  int value() const;  ///< as many as the machine has cores where it is not given
+};
+
 /// `--backend NAME`.
 struct BackendFlag {
   std::string text = "planar";

@@ -2,6 +2,7 @@
 #include "scenarios/load/library.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -55,6 +56,20 @@ std::vector<std::string> library_names(const fs::path& folder) {
   }
   if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
   std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> names_that_fit(const std::string& name_or_pattern) {
+  if (is_path(name_or_pattern) || name_or_pattern.find_first_of("*?[") == std::string::npos) {
+    return {name_or_pattern};
+  }
+  std::vector<std::string> names = library_names(library_folder());
+  std::erase_if(names, [&](const std::string& name) {
+    return ::fnmatch(name_or_pattern.c_str(), name.c_str(), 0) != 0;
+  });
+  if (names.empty()) {
+    throw InputError(fmt::format("no scenario fits {}; 'scanbed list' shows all", quote(name_or_pattern)));
+  }
   return names;
 }
 

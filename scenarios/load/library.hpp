@@ -17,6 +17,11 @@ std::filesystem::path library_folder();
 /// Names of its scenarios: file names without ".yaml", sorted.
 std::vector<std::string> library_names(const std::filesystem::path& folder);
 
+/// The library's scenarios that a pattern of the shell (with *, ? or [...]) fits; any other text itself.
+///
+/// @throws InputError where the pattern fits none.
+std::vector<std::string> names_that_fit(const std::string& name_or_pattern);
+
 /// The file of a scenario: itself where the text has a '/' or ends in .yaml or .yml, else that name of the
 /// library.
 ///

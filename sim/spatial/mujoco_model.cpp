@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 
 #include "core/errors/sensor_fault.hpp"
 
@@ -53,6 +54,9 @@ ModelPtr load_model(const std::string& mjcf) {
   if (mj_makeEmptyFileVFS(vfs.get(), kName, static_cast<int>(mjcf.size())) != 0) fail("its text is too long");
   std::copy(mjcf.begin(), mjcf.end(), static_cast<char*>(vfs->filedata[0]));
   std::array<char, 1000> error{};
+  // Its reader keeps what it read last in a place of its own that threads would share.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   ModelPtr model(mj_loadXML(kName, vfs.get(), error.data(), static_cast<int>(error.size())));
   if (!model) fail(error.data());
   return model;

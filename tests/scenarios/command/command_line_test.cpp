@@ -24,7 +24,9 @@ TEST(CommandLineTest, ReadsEveryFlagOfRun) {
               "--out", "dir", "--quiet", "--config", "cfg",    "--preset",         "paper"}));
   EXPECT_EQ(run.scenarios, (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_EQ(run.laser.target, "f");
-  EXPECT_EQ(run.seed, 9007199254740993u);
+  ASSERT_TRUE(run.seeds);
+  EXPECT_EQ(run.seeds->first, 9007199254740993u);
+  EXPECT_EQ(run.seeds->last, 9007199254740993u);
   ASSERT_EQ(run.settings.size(), 2u);
   EXPECT_EQ(run.settings[1].path, "y");
   EXPECT_EQ(run.json, "-");
@@ -33,10 +35,21 @@ TEST(CommandLineTest, ReadsEveryFlagOfRun) {
   EXPECT_EQ(run.detector.config, "cfg");
 }
 
+TEST(CommandLineTest, RunsTheWholeLibraryByPattern) {
+  const auto run =
+      std::get<RunCommand>(parsed({"run", "--all", "--seed", "3..7", "--jobs", "2", "--tables"}));
+  EXPECT_EQ(run.scenarios, std::vector<std::string>{"*"});
+  EXPECT_EQ(run.seeds->count(), 5);
+  EXPECT_EQ(run.num_workers, 2);
+  EXPECT_TRUE(run.tables);
+  EXPECT_EQ(usage_error({"run", "--all", "a"}), "--all: goes without scenarios; found 'a'");
+  EXPECT_EQ(usage_error({"run"}), "SCENARIO is required; see 'scanbed run --help'");
+}
+
 TEST(CommandLineTest, RunsTheScenariosOwnSeedInTheSimulationByDefault) {
   const auto run = std::get<RunCommand>(parsed({"run", "a"}));
   EXPECT_EQ(run.laser.kind, LaserKind::kSimulated);
-  EXPECT_FALSE(run.seed.has_value());
+  EXPECT_FALSE(run.seeds.has_value());
   EXPECT_FALSE(run.json.has_value());
   EXPECT_FALSE(run.out.has_value());
   EXPECT_FALSE(run.quiet);
@@ -82,7 +95,7 @@ TEST(CommandLineTest, SaysWhatIsWrongAndWhereTheHelpIs) {
 
 TEST(CommandLineTest, RefusesValuesThatDoNotFit) {
   EXPECT_EQ(usage_error({"run", "a", "--seed", "x"}), "--seed: expected a whole number, found 'x'");
-  EXPECT_EQ(usage_error({"run", "a", "--seed", "1..20"}), "--seed: expected a whole number, found '1..20'");
+  EXPECT_EQ(usage_error({"run", "a", "--seed", "1..x"}), "--seed: expected a whole number, found 'x'");
   EXPECT_EQ(usage_error({"detect", "--laser", "log:f", "--limit", "0"}),
             "--limit: value 0 is out of range; allowed: >= 1");
   EXPECT_EQ(usage_error({"run", "a", "--set", "x"}), "--set: expected PATH=VALUE, found 'x'");

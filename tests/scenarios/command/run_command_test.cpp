@@ -50,8 +50,14 @@ TEST_F(RunTest, ReportsAKnownFailureWithoutFailing) {
 TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
   const Outcome outcome = run_program({"run", scenario(kEasy), scenario(kHard, "t.yaml")});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("easy: 2 of 2"), std::string::npos);
-  EXPECT_NE(outcome.out.find("hard: 0 of 1"), std::string::npos);
+  EXPECT_NE(outcome.out.find("hard: circle truths >= 1000: missed in 1 of 1"), std::string::npos)
+      << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with("2 scenarios, 2 runs: 1 missed a gate\n")) << outcome.out;
+  EXPECT_EQ(outcome.out.find("gates passed"), std::string::npos)
+      << "a table of each run only where asked for";
+  const Outcome tables = run_program({"run", scenario(kEasy), scenario(kHard, "t.yaml"), "--tables"});
+  EXPECT_NE(tables.out.find("easy: 2 of 2"), std::string::npos);
+  EXPECT_NE(tables.out.find("hard: 0 of 1"), std::string::npos);
 }
 
 TEST_F(RunTest, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
@@ -64,6 +70,34 @@ TEST_F(RunTest, GivesTheSameBytesForTheSameSeedAndOthersForAnother) {
   const nlohmann::json two = nlohmann::json::parse(json("2"))["runs"][0];
   EXPECT_EQ(one["seed"], 1);
   EXPECT_NE(one["scores"], two["scores"]);
+}
+
+TEST_F(RunTest, GivesTheSameBytesForAnyNumberOfWorkers) {
+  for (const char* backend : {"planar", "spatial"}) {
+    const auto json = [&](const std::string& jobs) {
+      const Outcome outcome = run_program({"run", "noise_*", "random_rooms", "--seed", "11..13", "--jobs",
+                                           jobs, "--backend", backend, "--json", "-"});
+      EXPECT_EQ(outcome.err, "");
+      return outcome.out;
+    };
+    const std::string alone = json("1");
+    EXPECT_EQ(nlohmann::json::parse(alone)["runs"].size(), 12u);
+    EXPECT_EQ(json("4"), alone) << backend;
+  }
+}
+
+TEST_F(RunTest, RunsEachScenarioWithEachSeed) {
+  const Outcome outcome = run_program({"run", scenario(kEasy), "--seed", "5..7", "--json", "-"});
+  const nlohmann::json runs = nlohmann::json::parse(outcome.out)["runs"];
+  ASSERT_EQ(runs.size(), 3u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(runs[i]["seed"], 5 + i);
+}
+
+TEST_F(RunTest, PutsPicturesOfSeveralSeedsApart) {
+  const std::string file = scenario(kEasy + "outputs: {pictures: {top: [1]}}\n");
+  EXPECT_EQ(run_program({"run", file, "--seed", "1..2", "--out", (folder_ / "p").string()}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "p/seed_1/easy_top_1s.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "p/seed_2/easy_top_1s.png"));
 }
 
 TEST_F(RunTest, PutsJsonAloneOnStandardOutputOrIntoAFile) {
@@ -106,6 +140,11 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   EXPECT_NE(refused({"run", scenario("a: [\n")}).find("not valid YAML"), std::string::npos);
   EXPECT_NE(refused({"run", scenario("")}).find("is empty"), std::string::npos);
   refused({"run", "/nowhere/a.yaml"});
+  refused({"run"});
+  refused({"run", "nothing_*"});
+  refused({"run", scenario(kEasy), "--seed", "1..2", "--record", (folder_ / "r.jsonl").string()});
+  refused({"run", scenario(kEasy), "--seed", "1..2", "--laser", "log:/nowhere"});
+  refused({"run", scenario(kEasy), "--jobs", "0"});
   refused({"run", scenario(kEasy), "--laser", "sick:/dev/ttyS0?baud=1"});
   refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
   refused({"run", scenario(kEasy), "--preset", "rubust"});

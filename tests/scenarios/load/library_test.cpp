@@ -56,6 +56,17 @@ TEST_F(LibraryTest, TakesPathsAsTheyAre) {
   EXPECT_EQ(find_scenario("./hall"), "./hall");
 }
 
+TEST_F(LibraryTest, FindsTheNamesThatAPatternFits) {
+  const TemporaryFolder folder;
+  for (const char* name : {"hall_1.yaml", "hall_2.yaml", "room.yaml"}) testing::write_file(folder / name, "");
+  ::setenv("SCANBED_LIBRARY", folder.path().c_str(), 1);
+  EXPECT_EQ(names_that_fit("hall_*"), (std::vector<std::string>{"hall_1", "hall_2"}));
+  EXPECT_EQ(names_that_fit("*"), (std::vector<std::string>{"hall_1", "hall_2", "room"}));
+  EXPECT_EQ(names_that_fit("room"), std::vector<std::string>{"room"});
+  EXPECT_EQ(names_that_fit("x*/a.yaml"), std::vector<std::string>{"x*/a.yaml"}) << "a path stays one";
+  EXPECT_EQ(error_of([] { names_that_fit("x*"); }), "no scenario fits 'x*'; 'scanbed list' shows all");
+}
+
 TEST_F(LibraryTest, NamesTheNearestScenario) {
   EXPECT_EQ(error_of([] { find_scenario("static_halway"); }),
             "unknown scenario 'static_halway'; did you mean 'static_hallway'?; 'scanbed list' shows all");

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "scenarios/run/run_scenario.hpp"
+
+namespace scanbed::scenarios {
+
+/// A table of several runs: a row for each scenario, its counts pooled over the runs that stand one behind
+/// the other; then each gate that some of them missed, with the worst; then the verdict.
+std::string run_summary(std::span<const RunResult> results);
+
+}  // namespace scanbed::scenarios

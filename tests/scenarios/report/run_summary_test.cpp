@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "scenarios/report/run_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/scenarios/made_result.hpp"
+
+namespace scanbed::scenarios {
+namespace {
+
+// Circle: 10 truths, 8 found; its recall gate of 0.75 is met, line and leg see made_result().
+RunResult result(const std::string& name, std::uint64_t seed) {
+  RunResult result = testing::made_result();
+  result.scenario = name;
+  result.seed = seed;
+  std::erase_if(result.gates, [](const GateResult& gate) { return !gate.met; });
+  return result;
+}
+
+bool holds_line(const std::string& text, const std::string& begin, const std::string& end) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(begin) != std::string::npos && line.ends_with(end)) return true;
+  }
+  return false;
+}
+
+TEST(RunSummaryTest, HasARowForEachScenario) {
+  const std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("room", 1)};
+  const std::string text = run_summary(results);
+  EXPECT_TRUE(holds_line(text, "  hall                          2 ", "  pass")) << text;
+  EXPECT_TRUE(holds_line(text, "  room                          1 ", "  pass")) << text;
+  EXPECT_NE(text.find("0.800"), std::string::npos) << "recall of circles, 16 of 20: " << text;
+  EXPECT_TRUE(text.ends_with("\n2 scenarios, 3 runs: no gate missed that is not known to fail\n")) << text;
+}
+
+TEST(RunSummaryTest, TellsTheWorstOfAMissedGate) {
+  std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("hall", 3)};
+  for (const auto& [run, value] : {std::pair(1, 0.5), std::pair(2, 0.625)}) {
+    results[run].gates[0].value = value;
+    results[run].gates[0].met = false;
+  }
+  const std::string text = run_summary(results);
+  EXPECT_TRUE(holds_line(text, "  hall  ", "MISS in 2 of 3")) << text;
+  EXPECT_TRUE(holds_line(text, "hall: circle recall >= 0.75: missed in 2 of 3", "worst 0.5 (seed 2)"))
+      << text;
+  EXPECT_TRUE(text.ends_with("3 runs: 2 missed a gate\n")) << text;
+}
+
+TEST(RunSummaryTest, TellsWhyAKnownFailureFails) {
+  std::vector<RunResult> results = {result("hall", 1), result("hall", 2)};
+  results[0].gates[0].met = false;
+  results[0].gates[0].need.known_fail = "too thin";
+  results[1].gates[0].need.known_fail = "too thin";
+  const std::string text = run_summary(results);
+  EXPECT_TRUE(holds_line(text, "  hall  ", "known failure")) << text;
+  EXPECT_TRUE(holds_line(text, "missed in 1 of 2", "known failure: too thin")) << text;
+  EXPECT_NE(text.find("no gate missed that is not known"), std::string::npos);
+}
+
+TEST(RunSummaryTest, SurvivesRunsWithoutTruthAndNoRuns) {
+  RunResult bare = result("hall", 1);
+  bare.scores.reset();
+  bare.gates.clear();
+  EXPECT_TRUE(holds_line(run_summary(std::vector{bare, result("hall", 2)}), "  hall  ", "pass"));
+  EXPECT_EQ(run_summary({}), "no runs\n");
+}
+
+}  // namespace
+}  // namespace scanbed::scenarios
