@@ -10,8 +10,6 @@
 namespace scanbed::bench {
 namespace {
 
-constexpr int kMinLegPoints = 3;
-
 void for_each_line(const std::filesystem::path& path, const std::function<void(const nlohmann::json&)>& use) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot open " + path.string());
@@ -35,12 +33,12 @@ Labels read_circle_labels(const std::filesystem::path& path) {
   return labels;
 }
 
-Labels read_leg_labels(const std::filesystem::path& path) {
+Labels read_leg_labels(const std::filesystem::path& path, int min_points) {
   Labels labels;
   for_each_line(path, [&](const nlohmann::json& scan) {
     auto& legs = labels[scan.at("scan").get<int>()];
     for (const nlohmann::json& leg : scan.at("legs")) {
-      if (leg.at("n").get<int>() < kMinLegPoints) continue;
+      if (leg.at("n").get<int>() < min_points) continue;
       legs.emplace_back(leg.at("x").get<double>(), leg.at("y").get<double>());
     }
   });

@@ -15,8 +15,8 @@ using Labels = std::map<int, std::vector<Eigen::Vector2d>>;
 /// is not.
 Labels read_circle_labels(const std::filesystem::path& path);
 
-/// One scan a line: {"scan": n, "legs": [{"x": x, "y": y, "n": points}, ...]}; legs of fewer than 3 points
-/// are left out.
-Labels read_leg_labels(const std::filesystem::path& path);
+/// One scan a line: {"scan": n, "legs": [{"x": x, "y": y, "n": points}, ...]}; legs of fewer than
+/// min_points points are left out.
+Labels read_leg_labels(const std::filesystem::path& path, int min_points = 3);
 
 }  // namespace scanbed::bench

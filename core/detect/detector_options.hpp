@@ -48,9 +48,17 @@ struct LineOptions {
   void validate() const;
 };
 
-/// Legs by their size and shape (paper, II-E).
+/// What tells legs from other things.
+enum class LegScorer {
+  kRules,   ///< size and shape (paper, II-E)
+  kForest,  ///< a trained forest that sees the surroundings too
+};
+
+/// Legs. All but the first three belong to the rules.
 struct LegOptions {
   bool enabled = true;
+  LegScorer scorer = LegScorer::kRules;
+  double min_score = 0.0;     ///< legs of a lower score are dropped
   double min_width_m = 0.10;  ///< chord of the segment
   double max_width_m = 0.25;
   int min_points = 3;
@@ -66,7 +74,7 @@ enum class Pipeline {
 };
 
 /// All options of the detection pipeline. The robust pipeline takes from circle and line whether they are on,
-/// how many points and which length they need; legs are found by the paper's rules in both.
+/// how many points and which length they need.
 struct DetectorOptions {
   Pipeline pipeline = Pipeline::kPaper;
   SegmentationOptions segmentation;
@@ -82,12 +90,14 @@ inline DetectorOptions paper_options() {
   return {};
 }
 
-/// Ours, by SurfaceParser: better than the paper's on circles and lines.
+/// Ours, by SurfaceParser and ForestLegDetector: better than the paper's.
 inline DetectorOptions robust_options() {
   DetectorOptions options{.pipeline = Pipeline::kRobust};
   options.circle.min_points = 5;
   options.circle.min_length_m = 0.0;
   options.line.min_length_m = 0.2;
+  options.leg.scorer = LegScorer::kForest;
+  options.leg.min_score = 0.4;
   return options;
 }
 

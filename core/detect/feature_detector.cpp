@@ -17,8 +17,8 @@ const DetectorOptions& validated(const DetectorOptions& options) {
 
 }  // namespace
 
-FeatureDetector::FeatureDetector(const DetectorOptions& options)
-    : options_(validated(options)), line_detector_(options.line) {}
+FeatureDetector::FeatureDetector(const DetectorOptions& options, const LegForest& leg_forest)
+    : options_(validated(options)), leg_forest_(&leg_forest), line_detector_(options.line) {}
 
 void FeatureDetector::set_options(const DetectorOptions& options) {
   options_ = validated(options);
@@ -27,9 +27,18 @@ void FeatureDetector::set_options(const DetectorOptions& options) {
 
 const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
+<<<<<<< HEAD
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
   if (is_paper || options_.leg.enabled) detect_in_segments(scan);
   if (!is_paper) detect_surfaces(scan);
+=======
+  const bool by_rules = options_.leg.scorer == LegScorer::kRules;
+  if (options_.pipeline == Pipeline::kPaper || by_rules) detect_in_segments(scan);
+  if (options_.pipeline == Pipeline::kRobust) detect_surfaces(scan);
+  if (options_.leg.enabled && !by_rules) {
+    forest_leg_detector_.detect(scan, *leg_forest_, options_.leg, features_.legs);
+  }
+>>>>>>> c3b504b (core/detect/leg: tell legs by a trained forest)
   return features_;
 }
 
@@ -38,9 +47,9 @@ void FeatureDetector::detect_in_segments(const LaserScan& scan) {
   segment_points(points_, options_.segmentation, segments_);
   for (const Segment& segment : segments_) {
     if (options_.pipeline == Pipeline::kPaper) detect_in_segment(segment);
-    if (const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg)) {
-      features_.legs.push_back(*leg);
-    }
+    if (options_.leg.scorer != LegScorer::kRules) continue;
+    const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg);
+    if (leg && leg->score >= options_.leg.min_score) features_.legs.push_back(*leg);
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include "core/detect/detector_options.hpp"
 #include "core/detect/features.hpp"
+#include "core/detect/leg/forest_leg_detector.hpp"
+#include "core/detect/leg/leg_forest.hpp"
 #include "core/detect/line_detector.hpp"
 #include "core/detect/points.hpp"
 #include "core/detect/robust/surface_parser.hpp"
@@ -20,8 +22,10 @@ namespace scanbed {
 /// polygons.
 class FeatureDetector {
  public:
+  /// @param leg_forest  tells legs where options.leg.scorer says so; must outlive the detector.
   /// @throws InputError where the options do not validate.
-  explicit FeatureDetector(const DetectorOptions& options);
+  explicit FeatureDetector(const DetectorOptions& options,
+                           const LegForest& leg_forest = trained_leg_forest());
 
   const DetectorOptions& options() const { return options_; }
 
@@ -39,10 +43,12 @@ class FeatureDetector {
   void detect_arcs_beside_lines(const Segment& segment, int first_line);
 
   DetectorOptions options_;
+  const LegForest* leg_forest_;
   PointProjector projector_;
   LineDetector line_detector_;
   EchoReader echo_reader_;
   SurfaceParser surface_parser_;
+  ForestLegDetector forest_leg_detector_;
   Echoes echoes_;
   Points points_;
   std::vector<Segment> segments_;

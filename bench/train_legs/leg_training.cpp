@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "bench/train_legs/leg_training.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scanbed::bench {
+namespace {
+
+// A recorded candidate counts as much as so many simulated ones: few scans stand for all that is real.
+constexpr double kRecordedWeight = 20.0;
+// Simulated legs stand in places where people seldom stand, and must not drown those that do.
+constexpr double kSimulatedLegWeight = 0.3;
+constexpr std::uint64_t kUnseenSeed = 1000001;
+constexpr double kApart_m = 0.10;
+
+constexpr std::array kCheckpoints = {20, 50, 90};
+constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
+constexpr double kLostShare = 0.002;        // of what ends above
+constexpr float kMargin = 0.3F;             // log-odds
+
+std::vector<LegSample> gather(const std::function<void(const LegSampleSink&)>& source) {
+  std::vector<LegSample> samples;
+  source([&](const LegSample& sample) { samples.push_back(sample); });
+  return samples;
+}
+
+void add(const std::vector<LegSample>& samples, double leg_weight, double other_weight,
+         LegTrainingRows& rows) {
+  for (const LegSample& sample : samples) {
+    if (sample.answer == LegAnswer::kUnknown) continue;
+    const bool is_leg = sample.answer == LegAnswer::kYes;
+    rows.add(sample.features, is_leg, is_leg ? leg_weight : other_weight);
+  }
+}
+
+// Legs and others shall weigh the same.
+void balance(LegTrainingRows& rows) {
+  double legs = 0.0;
+  double others = 0.0;
+  for (int i = 0; i < rows.size(); ++i) (rows.is_leg[i] != 0 ? legs : others) += rows.weight[i];
+  for (int i = 0; i < rows.size(); ++i) {
+    if (rows.is_leg[i] != 0) rows.weight[i] *= others / legs;
+  }
+}
+
+float sum_of(const std::vector<LegTree>& trees, const LegSample& sample, int num_trees) {
+  float sum = 0.0F;
+  for (int t = 0; t < num_trees; ++t) {
+    const LegTree& tree = trees[t];
+    int leaf = 0;
+    for (int level = 0; level < LegTree::kDepth; ++level) {
+      if (sample.features[tree.feature[level]] > tree.threshold[level]) leaf |= 1 << level;
+    }
+    sum += tree.value[leaf];
+  }
+  return sum;
+}
+
+/// A detection whose answer is known, with its sum.
+struct Judged {
+  double sum = 0.0;
+  bool is_leg = false;
+};
+
+bool are_one(const LegSample& a, const LegSample& b) {
+  const bool overlap = a.beams.first <= b.beams.last && b.beams.first <= a.beams.last;
+  return overlap || (a.center_m - b.center_m).norm() < kApart_m;
+}
+
+// What non-maximum suppression leaves of the scans' candidates.
+void judge(const std::vector<LegTree>& trees, const std::vector<LegSample>& samples,
+           std::vector<Judged>& judged) {
+  const int num_trees = static_cast<int>(trees.size());
+  for (std::size_t begin = 0; begin < samples.size();) {
+    std::size_t end = begin;
+    std::vector<std::pair<float, const LegSample*>> scored;
+    for (; end < samples.size() && samples[end].scan == samples[begin].scan; ++end) {
+      scored.emplace_back(sum_of(trees, samples[end], num_trees), &samples[end]);
+    }
+    std::stable_sort(scored.begin(), scored.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<const LegSample*> kept;
+    for (const auto& [sum, sample] : scored) {
+      if (std::any_of(kept.begin(), kept.end(), [&](const LegSample* k) { return are_one(*k, *sample); }))
+        continue;
+      kept.push_back(sample);
+      if (sample->answer != LegAnswer::kUnknown) judged.push_back({sum, sample->answer == LegAnswer::kYes});
+    }
+    begin = end;
+  }
+}
+
+// Logistic regression on one variable, by Newton's method.
+void calibrate(const std::vector<Judged>& judged, OwnedLegForest& forest) {
+  double a = 1.0;
+  double b = 0.0;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    double ga = 0, gb = 0, haa = 1e-9, hab = 0, hbb = 1e-9;
+    for (const Judged& j : judged) {
+      const double p = 1.0 / (1.0 + std::exp(-(a * j.sum + b)));
+      const double slope = (j.is_leg ? 1.0 : 0.0) - p;
+      const double curvature = p * (1.0 - p);
+      ga += slope * j.sum;
+      gb += slope;
+      haa += curvature * j.sum * j.sum;
+      hab += curvature * j.sum;
+      hbb += curvature;
+    }
+    const double det = haa * hbb - hab * hab;
+    a += (ga * hbb - gb * hab) / det;
+    b += (gb * haa - ga * hab) / det;
+  }
+  forest.slope = a;
+  forest.offset = b;
+}
+
+// Bounds that give up next to nothing of what would be reported in the end.
+void set_checkpoints(const LegCorpus& corpus, OwnedLegForest& forest) {
+  const auto num_trees = static_cast<int>(forest.trees.size());
+  std::vector<const LegSample*> likely;
+  for (const auto* samples : {&corpus.pos1, &corpus.pos2, &corpus.nobody, &corpus.unseen}) {
+    for (const LegSample& sample : *samples) {
+      const float sum = sum_of(forest.trees, sample, num_trees);
+      if (forest.view().probability(sum) >= kLeastProbability) likely.push_back(&sample);
+    }
+  }
+  for (const int count : kCheckpoints) {
+    std::vector<float> sums;
+    sums.reserve(likely.size());
+    for (const LegSample* sample : likely) sums.push_back(sum_of(forest.trees, *sample, count));
+    const auto lost =
+        sums.begin() + static_cast<std::ptrdiff_t>(kLostShare * static_cast<double>(sums.size()));
+    std::nth_element(sums.begin(), lost, sums.end());
+    forest.checkpoints.push_back({count, *lost - kMargin});
+  }
+}
+
+}  // namespace
+
+LegCorpus read_leg_corpus(const std::filesystem::path& recordings) {
+  const auto labelled = [&](const std::string& name) {
+    return gather([&](const LegSampleSink& use) {
+      sample_labelled(recordings / (name + ".log"), recordings / (name + ".legs.jsonl"), use);
+    });
+  };
+  LegCorpus corpus;
+  corpus.pos1 = labelled("legs_pos1");
+  corpus.pos2 = labelled("legs_pos2");
+  corpus.nobody = gather([&](const LegSampleSink& use) { sample_empty(recordings / "nobody.log", use); });
+  corpus.simulated = gather([](const LegSampleSink& use) { sample_simulated(1, kNumTrainingWorlds, use); });
+  corpus.unseen =
+      gather([](const LegSampleSink& use) { sample_simulated(kUnseenSeed, kNumUnseenWorlds, use); });
+  return corpus;
+}
+
+int nobody_part(const LegCorpus& corpus, const LegSample& sample) {
+  return sample.scan * kNumNobodyParts / (corpus.nobody.back().scan + 1);
+}
+
+OwnedLegForest train_legs(const LegCorpus& corpus, const HeldOut& held_out) {
+  LegTrainingRows rows;
+  if (!held_out.pos1) add(corpus.pos1, kRecordedWeight, kRecordedWeight, rows);
+  if (!held_out.pos2) add(corpus.pos2, kRecordedWeight, kRecordedWeight, rows);
+  std::vector<LegSample> nobody;
+  std::copy_if(corpus.nobody.begin(), corpus.nobody.end(), std::back_inserter(nobody),
+               [&](const LegSample& s) { return nobody_part(corpus, s) != held_out.nobody_part; });
+  add(nobody, kRecordedWeight, kRecordedWeight, rows);
+  add(corpus.simulated, kSimulatedLegWeight, 1.0, rows);
+  balance(rows);
+  return {.trees = boost(rows, {})};
+}
+
+OwnedLegForest train_detector(const LegCorpus& corpus) {
+  std::vector<Judged> judged;
+  for (int part = 0; part < kNumNobodyParts; ++part) {
+    for (const bool first : {true, false}) {
+      const auto trees = train_legs(corpus, {.pos1 = first, .pos2 = !first, .nobody_part = part}).trees;
+      judge(trees, first ? corpus.pos1 : corpus.pos2, judged);
+      std::vector<LegSample> nobody;
+      std::copy_if(corpus.nobody.begin(), corpus.nobody.end(), std::back_inserter(nobody),
+                   [&](const LegSample& s) { return nobody_part(corpus, s) == part; });
+      judge(trees, nobody, judged);
+      judge(trees, corpus.unseen, judged);
+    }
+  }
+  OwnedLegForest forest = train_legs(corpus, {});
+  calibrate(judged, forest);
+  set_checkpoints(corpus, forest);
+  return forest;
+}
+
+}  // namespace scanbed::bench

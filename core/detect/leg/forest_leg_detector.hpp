@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "core/detect/detector_options.hpp"
+#include "core/detect/features.hpp"
+#include "core/detect/leg/leg_beams.hpp"
+#include "core/detect/leg/leg_candidates.hpp"
+#include "core/detect/leg/leg_features.hpp"
+#include "core/detect/leg/leg_forest.hpp"
+
+namespace scanbed {
+
+/// Legs by a boosted forest: candidates from three segmentations, scored by their shape and surroundings,
+/// the best of those that overlap or lie within 0.10 m of each other. Keeps its buffers.
+class ForestLegDetector {
+ public:
+  /// Appends legs of at least options.min_score, in rising order of their first beam. A leg's middle is the
+  /// centroid of its echoes; its score the calibrated probability that it is one.
+  void detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options,
+              std::vector<Leg>& legs);
+
+ private:
+  void keep_best(std::vector<Leg>& legs);
+
+  LegBeamReader beam_reader_;
+  LegBeams beams_;
+  LegCandidateFinder finder_;
+  LegCandidates candidates_;
+  LegFeatureReader feature_reader_;
+  LegFeatureTable table_;
+  LegForestScorer scorer_;
+  std::vector<float> sums_;
+  std::vector<Leg> found_;
+};
+
+}  // namespace scanbed

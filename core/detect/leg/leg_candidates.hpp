@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/detect/leg/leg_beams.hpp"
+
+namespace scanbed {
+
+/// A run of echoes, both ends included: indices into the echoes of LegBeams.
+struct EchoRun {
+  int first = 0;
+  int last = 0;
+
+  int size() const { return last - first + 1; }
+  friend bool operator==(const EchoRun&, const EchoRun&) = default;
+};
+
+/// One way to cut a scan: its runs, and of each echo the run that holds it.
+struct LegSegmentation {
+  std::vector<EchoRun> runs;
+  std::vector<double> width_m;  ///< of each run, from end to end
+  std::vector<int> run_of_echo;
+};
+
+/// What may be a leg: runs of at least 2 echoes, at most 0.55 m wide and 6 m away.
+struct LegCandidates {
+  static constexpr int kNumSegmentations = 3;
+
+  std::array<LegSegmentation, kNumSegmentations> segmentations;  ///< from fine to coarse
+  std::vector<EchoRun> runs;                                     ///< in rising order, each once
+};
+
+/// Cuts a scan into candidates, thrice: where neighbours lie farther apart than 0.04, 0.10 or 0.16 m plus 1.5
+/// beam spacings; and what is 0.08 to 0.9 m wide once more, at its deepest notch and at its largest step of
+/// range.
+class LegCandidateFinder {
+ public:
+  void find(const LegBeams& beams, LegCandidates& candidates);
+
+ private:
+  void cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const;
+  void halve_at_notch(const LegBeams& beams, const EchoRun& run);
+  void halve_at_step(const LegBeams& beams, const EchoRun& run);
+  void add(const LegBeams& beams, const EchoRun& run);
+
+  std::vector<EchoRun> found_;
+  std::vector<double> nearest_after_m_;  ///< of each echo of a run: least range from there on
+};
+
+}  // namespace scanbed

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/detect/leg/leg_beams.hpp"
+#include "core/detect/leg/leg_candidates.hpp"
+
+namespace scanbed {
+
+/// What is measured of a candidate, in this order. Lengths in metres; "near" counts echoes outside the
+/// candidate around its centroid, times the beam spacing at its range; "beside" are the beams within 0.5 m of
+/// it, across. A beam without echo sees infinitely far.
+enum class LegFeature {
+  kNumPoints,
+  kWidth,           ///< from end to end
+  kFilled,          ///< points times beam spacing, in legs of 0.13 m
+  kRange,           ///< mean
+  kNear30,          ///< echoes within 0.3 m
+  kNear50,          ///< within 0.5 m
+  kNear100,         ///< within 1 m
+  kNearWall100,     ///< of the latter, those on wall-like runs: wider than 0.5 m
+  kNearest,         ///< distance of the nearest echo, at most 1 m
+  kNearestWall,     ///< of the nearest on a wall-like run, at most 1 m
+  kNumSmall,        ///< other runs 0.03 to 0.25 m wide within 1 m
+  kNearestSmall,    ///< distance of the nearest of them, at most 1.5 m
+  kSmallWidth,      ///< its width, -1 without
+  kCircleResidual,  ///< root mean square about the algebraic (Kasa) circle
+  kCircleRadius,    ///< negative where its centre lies nearer than the points; at most 0.5 in size
+  kLineResidual,    ///< root mean square about the line of total least squares
+  kBow,             ///< mean distance before the chord, towards the sensor, over width
+  kInscribed,       ///< mean cosine of the inscribed angles at a quarter, a half and three quarters
+  kTilt,            ///< difference of range between the ends, over width
+  kRangeStd,        ///< standard deviation of range
+  kStep,            ///< root mean square of the steps of range
+  kFineWidth,       ///< of the run that holds its middle, in the fine segmentation
+  kMiddleWidth,     ///< in the middle one
+  kCoarseWidth,     ///< in the coarse one
+  kLeastJump,       ///< from an end to the next beam, away from the sensor; the lesser, within +-2
+  kLargestJump,     ///< the greater
+  kOpen25,          ///< share of the beams beside that see 0.25 m farther
+  kOpen60,          ///< 0.6 m farther
+  kHidden,          ///< share of the beams beside that end 0.15 m before
+  kNearestBeside,   ///< least difference of range to a beam beside, at most 2
+  kNearestBehind,   ///< to one that sees no more than 0.1 m less far
+  kCount,
+};
+
+inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
+
+/// Name of a feature in training files.
+std::string_view name_of(LegFeature feature);
+
+/// Features of many candidates: value f of candidate c is rows[f][c].
+class LegFeatureTable {
+ public:
+  static constexpr int kBlock = 8;
+
+  /// Makes room for so many candidates, padded to whole blocks.
+  void resize(int num_candidates);
+  /// Keeps the first candidates alone; what stands in the padding does not matter.
+  void shrink(int num_candidates) { num_candidates_ = num_candidates; }
+  int num_candidates() const { return num_candidates_; }
+  int num_padded() const { return (num_candidates_ + kBlock - 1) / kBlock * kBlock; }
+  float* row(int feature) { return values_.data() + static_cast<std::size_t>(feature) * stride_; }
+  const float* row(int feature) const { return values_.data() + static_cast<std::size_t>(feature) * stride_; }
+
+ private:
+  int num_candidates_ = 0;
+  int stride_ = 0;  ///< between rows
+  std::vector<float> values_;
+};
+
+/// Measures candidates; every feature is the same for a scan that is turned, and for its mirror image.
+class LegFeatureReader {
+ public:
+  void read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table);
+
+ private:
+  /// A run that could be somebody's other leg.
+  struct SmallRun {
+    EchoRun run;
+    float x_m = 0.0F, y_m = 0.0F, width_m = 0.0F;
+  };
+  using Values = std::array<float, kNumLegFeatures>;
+
+  void mark_surroundings(const LegBeams& beams, const LegSegmentation& segmentation);
+  void read_shape(const LegBeams& beams, const EchoRun& run, Values& values);
+  void read_small_neighbours(const EchoRun& run, Values& values) const;
+  void read_near(const LegBeams& beams, const EchoRun& run, Values& values);
+  void read_beside(const LegBeams& beams, const EchoRun& run, Values& values);
+
+  std::vector<float> off_wall_m2_;  ///< of each beam: 0 on a wall-like run, else much; padded like beams
+  std::vector<SmallRun> small_runs_;
+  float x_m_ = 0.0F, y_m_ = 0.0F, range_m_ = 0.0F, spacing_m_ = 0.0F;  ///< of the candidate at hand
+};
+
+/// Mean position of a run's echoes, sensor frame S.
+Eigen::Vector2d centroid_m(const LegBeams& beams, const EchoRun& run);
+
+}  // namespace scanbed

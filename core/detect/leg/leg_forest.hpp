@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/detect/leg/leg_features.hpp"
+
+namespace scanbed {
+
+/// A symmetric tree: four questions, asked of every candidate whatever the answers before, select one of 16
+/// values. Bit i of the value's index says whether feature[i] is greater than threshold[i].
+struct LegTree {
+  static constexpr int kDepth = 4;
+  static constexpr int kNumLeaves = 1 << kDepth;
+
+  std::array<std::uint8_t, kDepth> feature{};  ///< of LegFeature
+  std::array<float, kDepth> threshold{};
+  std::array<float, kNumLeaves> value{};
+};
+
+/// Boosted trees whose values add up to the log-odds of a candidate to be a leg.
+struct LegForest {
+  /// After num_trees, candidates whose sum is below the bound are given up.
+  struct Checkpoint {
+    int num_trees = 0;
+    float min_sum = 0.0F;
+  };
+  std::span<const LegTree> trees;
+  std::span<const Checkpoint> checkpoints;  ///< rising
+  // Calibration on candidates that were not trained on.
+  double slope = 1.0;
+  double offset = 0.0;
+
+  /// Probability that a candidate with this sum is a leg: 1 / (1 + exp(-(slope sum + offset))).
+  ///
+  /// @par Source  Platt, "Probabilistic Outputs for Support Vector Machines", Advances in Large Margin
+  ///              Classifiers, 1999.
+  double probability(float sum) const;
+};
+
+/// The forest that comes with the detector, made by `./dev train-legs`.
+const LegForest& trained_leg_forest();
+
+/// Adds up a forest over many candidates at once. Keeps its buffers.
+class LegForestScorer {
+ public:
+  /// What given-up candidates get.
+  static constexpr float kGivenUp = -1e9F;
+
+  /// @param scores  overwritten: sum of the forest's values of each candidate, or kGivenUp.
+  void score(const LegForest& forest, const LegFeatureTable& table, std::vector<float>& scores);
+
+ private:
+  void keep_above(float min_sum);
+
+  LegFeatureTable table_;  ///< of the candidates still in the race
+  std::vector<float> sums_;
+  std::vector<int> candidate_;
+};
+
+}  // namespace scanbed

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/leg/leg_beams.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace scanbed {
+namespace {
+
+LaserScan scan_of(std::vector<double> range_m) {
+  LaserScan scan;
+  scan.geometry.num_beams = static_cast<int>(range_m.size());
+  scan.range_m = std::move(range_m);
+  return scan;
+}
+
+TEST(LegBeamsTest, WhatIsNoDistanceIsNoEcho) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LaserScan scan = scan_of({kNoEcho, 2.0, kTooClose, nan, 0.0, -1.0, 3.0, 1e9});
+  LegBeams beams;
+  LegBeamReader().read(scan, beams);
+  EXPECT_EQ(beams.num_beams, 8);
+  EXPECT_EQ(beams.beam, (std::vector<int>{1, 6}));
+  EXPECT_EQ(beams.echo_range_m, (std::vector<double>{2.0, 3.0}));
+  for (const int beam : {0, 2, 3, 4, 5, 7}) EXPECT_EQ(beams.range_m[beam], LegBeams::kNothing_m);
+}
+
+TEST(LegBeamsTest, EchoesLieWhereTheirBeamsPoint) {
+  const LaserScan scan = scan_of({2.0, kNoEcho, 3.0});
+  LegBeams beams;
+  LegBeamReader().read(scan, beams);
+  for (int k = 0; k < 2; ++k) {
+    const double bearing_rad = scan.geometry.bearing_rad(beams.beam[k]);
+    EXPECT_NEAR(beams.echo_x_m[k], beams.echo_range_m[k] * std::cos(bearing_rad), 1e-12);
+    EXPECT_NEAR(beams.echo_y_m[k], beams.echo_range_m[k] * std::sin(bearing_rad), 1e-12);
+    EXPECT_FLOAT_EQ(beams.x_m[beams.beam[k]], static_cast<float>(beams.echo_x_m[k]));
+    EXPECT_FLOAT_EQ(beams.y_m[beams.beam[k]], static_cast<float>(beams.echo_y_m[k]));
+  }
+}
+
+TEST(LegBeamsTest, SumsOfARunAreThoseOfItsEchoes) {
+  std::vector<double> range_m;
+  for (int i = 0; i < 50; ++i) range_m.push_back(2.0 + 0.3 * std::sin(1.7 * i));
+  LegBeams beams;
+  LegBeamReader().read(scan_of(range_m), beams);
+  const int first = 11;
+  const int last = 23;
+  EchoSums sums;
+  for (int k = first; k <= last; ++k) {
+    const double x = beams.echo_x_m[k];
+    const double y = beams.echo_y_m[k];
+    const double z = x * x + y * y;
+    sums.x += x;
+    sums.xy += x * y;
+    sums.range2 += beams.echo_range_m[k] * beams.echo_range_m[k];
+    sums.step2 += std::pow(beams.echo_range_m[k] - beams.echo_range_m[k - 1], 2);
+    sums.yz += y * z;
+    sums.zz += z * z;
+  }
+  const EchoSums& a = beams.sums[first];
+  const EchoSums& b = beams.sums[last + 1];
+  EXPECT_NEAR(b.x - a.x, sums.x, 1e-9);
+  EXPECT_NEAR(b.xy - a.xy, sums.xy, 1e-9);
+  EXPECT_NEAR(b.range2 - a.range2, sums.range2, 1e-9);
+  EXPECT_NEAR(b.step2 - a.step2, sums.step2, 1e-9);
+  EXPECT_NEAR(b.yz - a.yz, sums.yz, 1e-9);
+  EXPECT_NEAR(b.zz - a.zz, sums.zz, 1e-9);
+}
+
+TEST(LegBeamsTest, WholeBlocksCanBeReadFromEveryBeam) {
+  for (const int num_beams : {0, 1, 7, 8, 9, 361}) {
+    LegBeams beams;
+    LegBeamReader().read(scan_of(std::vector<double>(num_beams, 2.0)), beams);
+    for (const auto* values : {&beams.range_m, &beams.x_m, &beams.y_m}) {
+      EXPECT_GE(static_cast<int>(values->size()), num_beams + LegBeamReader::kBlock - 1);
+    }
+    EXPECT_EQ(beams.range_m.back(), LegBeams::kNothing_m);
+  }
+}
+
+TEST(LegBeamsTest, AGeometryWithoutStepsIsNotDividedBy) {
+  LaserScan scan = scan_of({2.0, 2.0});
+  scan.geometry.step_rad = 0.0;
+  LegBeams beams;
+  LegBeamReader().read(scan, beams);
+  EXPECT_GT(beams.step_rad, 0.0);
+}
+
+}  // namespace
+}  // namespace scanbed
