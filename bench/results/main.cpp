@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/results/held_out_legs.hpp"
 #include "bench/results/recorded_results.hpp"
 #include "bench/results/simulated_results.hpp"
 #include "bench/results/tracked_results.hpp"
@@ -96,6 +97,32 @@ void print_tracked_legs(const std::filesystem::path& data) {
   print_row("nobody", "with tracking: false tracks of people and legs a scan", false_tracks);
 }
 
+std::string recalls(const LegRate& rate) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f at %.2f", rate.recall, rate.false_a_scan);
+  return text;
+}
+
+void print_held_out_legs(const std::filesystem::path& data) {
+  const std::vector<double> track_scores = {0.5, 0.6, 0.7, 0.8, 0.9};
+  const std::vector<HeldOutLegs> results = held_out_legs(data, track_scores);
+  std::printf(
+      "\n| `robust` by forests trained without the recording: recall at false a scan of nobody | legs_pos1 | "
+      "legs_pos2 |\n|---|---|---|\n");
+  const auto row = [&](const std::string& figure, const auto& rate_of) {
+    std::printf("| %s | %s | %s |\n", figure.c_str(), recalls(rate_of(results[0])).c_str(),
+                recalls(rate_of(results[1])).c_str());
+  };
+  for (std::size_t i = 0; i < results[0].single_scan.size(); ++i) {
+    row("one scan", [i](const HeldOutLegs& r) { return r.single_scan[i]; });
+  }
+  row("one scan, as the preset reports", [](const HeldOutLegs& r) { return r.at_default; });
+  for (std::size_t i = 0; i < track_scores.size(); ++i) {
+    row("tracks of score " + decimals(track_scores[i], ""),
+        [i](const HeldOutLegs& r) { return r.tracked[i]; });
+  }
+}
+
 void print_simulated(const SimulatedSet& set) {
   std::vector<SimulatedResult> results;
   for (const DetectorOptions& preset : kPresets) results.push_back(simulated_results(set, preset));
@@ -143,6 +170,7 @@ int main() {
     scanbed::bench::print_circles(data);
     scanbed::bench::print_legs(data);
     scanbed::bench::print_tracked_legs(data);
+    scanbed::bench::print_held_out_legs(data);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "results: %s\n", error.what());
     return 2;

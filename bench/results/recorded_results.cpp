@@ -102,9 +102,21 @@ CircleResult circles_in_recording(const std::filesystem::path& log, const Labels
   return result;
 }
 
+std::vector<ScoredLeg> scored_legs(const std::filesystem::path& log, const DetectorOptions& options,
+                                   const LegForest& forest) {
+  FeatureDetector detector(options, forest);
+  std::vector<ScoredLeg> legs;
+  for_each_scan(log, [&](const LaserScan& scan) {
+    for (const Leg& leg : detector.detect(scan).legs) {
+      if (leg.middle_m.norm() <= kLegRange_m) legs.push_back({static_cast<int>(scan.index), leg.score});
+    }
+  });
+  return legs;
+}
+
 LegResult legs_in_recording(const std::filesystem::path& log, const Labels& labels,
-                            const DetectorOptions& options) {
-  FeatureDetector detector(options);
+                            const DetectorOptions& options, const LegForest& forest) {
+  FeatureDetector detector(options, forest);
   LegResult result;
   result.num_scans = for_each_scan(log, [&](const LaserScan& scan) {
     Places middles;

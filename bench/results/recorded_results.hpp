@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "bench/results/labels.hpp"
 #include "core/detect/detector_options.hpp"
+#include "core/detect/leg/leg_forest.hpp"
 
 namespace scanbed::bench {
 
@@ -32,6 +34,15 @@ struct LegResult {
 /// Legs in a recording; only people in a sector ahead are labelled, so what lies elsewhere is counted, not
 /// judged.
 LegResult legs_in_recording(const std::filesystem::path& log, const Labels& labels,
-                            const DetectorOptions& options);
+                            const DetectorOptions& options, const LegForest& forest = trained_leg_forest());
+
+struct ScoredLeg {
+  int scan = 0;
+  double score = 0.0;
+};
+
+/// Scores of all legs within 5 m.
+std::vector<ScoredLeg> scored_legs(const std::filesystem::path& log, const DetectorOptions& options,
+                                   const LegForest& forest);
 
 }  // namespace scanbed::bench

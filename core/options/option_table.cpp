@@ -43,6 +43,7 @@ Option row(std::string_view path, std::string_view effect, OptionReader reader =
 constexpr std::array<std::string_view, 2> kPipelines = {"paper", "robust"};
 constexpr std::array<std::string_view, 2> kCircleMethods = {"off", "inscribed_angle"};
 constexpr std::array<std::string_view, 3> kLineMethods = {"off", "recursive_fit", "inscribed_angle"};
+constexpr std::array<std::string_view, 2> kLegScorers = {"rules", "forest"};
 constexpr std::array<std::string_view, 4> kMotionSources = {"auto", "scans", "odometry", "still"};
 
 template <auto kMember>
@@ -117,13 +118,17 @@ const std::array kTable = {
     line<&LineOptions::max_std_rad>("line.max_std_rad", "of the inscribed angles of a line"),
 
     leg<&LegOptions::enabled>("leg.enabled", "look for legs"),
-    leg<&LegOptions::min_width_m>("leg.min_width_m", "chord of the segment"),
-    leg<&LegOptions::max_width_m>("leg.max_width_m", "chord of the segment"),
-    leg<&LegOptions::min_points>("leg.min_points", "fewer points make no leg"),
+    row<&All::detector, &DetectorOptions::leg, &LegOptions::scorer>(
+        "leg.scorer", "tells legs by rules of size and shape, or by a forest that sees the surroundings too",
+        kBoth, kLegScorers),
+    leg<&LegOptions::min_score>("leg.min_score", "legs of a lower score are not reported"),
+    leg<&LegOptions::min_width_m>("leg.min_width_m", "rules: chord of the segment"),
+    leg<&LegOptions::max_width_m>("leg.max_width_m", "rules: chord of the segment"),
+    leg<&LegOptions::min_points>("leg.min_points", "rules: fewer points make no leg"),
     leg<&LegOptions::min_depth_ratio>("leg.min_depth_ratio",
-                                      "depth of the middle point per length of the chord"),
+                                      "rules: depth of the middle point per length of the chord"),
     leg<&LegOptions::max_depth_ratio>("leg.max_depth_ratio",
-                                      "depth of the middle point per length of the chord"),
+                                      "rules: depth of the middle point per length of the chord"),
 
     surface<&SurfaceOptions::min_gap_m>("surface.min_gap_m",
                                         "neighbours nearer than this plus 3 sigma lie on one surface"),
