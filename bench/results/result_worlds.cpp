@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/results/result_worlds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/angles.hpp"
@@ -64,6 +65,12 @@ void put_occluder(Builder& b, const Vector2d& column_m, double radius_m) {
   const double beside_m =
       splits ? b.dice.uniform(-0.4, 0.4) * shadow_m : side * (shadow_m - covered_m + size_m);
   const Vector2d at_m = robot_m + share * sight_m + beside_m * across;
+  const bool is_in_another =
+      std::any_of(b.world.solids.begin(), b.world.solids.end(), [&](const sim::Solid& solid) {
+        const auto* column = std::get_if<sim::Cylinder>(&solid.shape);
+        return column != nullptr && (column->center_m - at_m).norm() < column->radius_m;
+      });
+  if (is_in_another) return;
   switch (b.dice.whole(0, 2)) {
     case 0:
       return b.add("post", sim::Cylinder{at_m, size_m});

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "bench/results/world_dice.hpp"
+#include "sim/generate/world_dice.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -105,7 +105,7 @@ class Booster {
 
   const LegTrainingRows& rows_;
   const BoostingOptions& options_;
-  WorldDice dice_;
+  sim::WorldDice dice_;
   double unit_ = 1.0;  // makes the mean weight 1
   std::vector<double> log_odds_, slope_, curvature_;
   std::vector<std::uint8_t> leaf_;

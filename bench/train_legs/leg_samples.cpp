@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bench/results/labels.hpp"
-#include "bench/results/world_dice.hpp"
 #include "bench/train_legs/leg_worlds.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/pose2.hpp"
 #include "hw/recording/carmen_log.hpp"
+#include "sim/generate/world_dice.hpp"
 #include "sim/sensor/simulated_lms.hpp"
 
 namespace scanbed::bench {
@@ -237,7 +237,7 @@ std::vector<LaserScan> simulated_backgrounds(std::uint64_t first_seed, int num_w
 void sample_pasted(const std::filesystem::path& log, const std::filesystem::path& labels,
                    const std::vector<LaserScan>& backgrounds, int copies, const LegSampleSink& use) {
   const Labels legs = read_leg_labels(labels, 3);
-  WorldDice dice(1, "paste");
+  sim::WorldDice dice(1, "paste");
   Sampler sampler;
   for_each_scan(log, [&](const LaserScan& scan) {
     const auto found = legs.find(static_cast<int>(scan.index));
@@ -270,7 +270,7 @@ void sample_simulated(std::uint64_t first_seed, int num_worlds, const LegSampleS
     options.seed = seed;
     sim::SimulatedLms laser(leg_world(seed), options);
     if (!laser.next(scan, RangeSensor::Seconds(0.0))) continue;
-    WorldDice dice(seed, "lost echoes");
+    sim::WorldDice dice(seed, "lost echoes");
     const double lost_share = dice.uniform(0.0, kMaxLostShare);
     for (double& range_m : scan.range_m) {
       if (dice.chance(lost_share)) range_m = kNoEcho;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/results/world_dice.hpp"
+#include "sim/generate/world_dice.hpp"
 #include "sim/sensor/sensor_presets.hpp"
 #include "sim/world/solid_geometry.hpp"
 
@@ -282,7 +282,7 @@ class LegWorldBuilder {
     world_.solids.back().material.roughness_m = dice_.chance(0.3) ? dice_.uniform(0.0, 0.008) : 0.0;
   }
 
-  WorldDice dice_;
+  sim::WorldDice dice_;
   World world_;
   Vector2d low_m_ = Vector2d::Zero();
   Vector2d high_m_ = Vector2d::Zero();
@@ -295,7 +295,7 @@ sim::World leg_world(std::uint64_t seed) {
 }
 
 sim::SensorOptions leg_sensor(std::uint64_t seed) {
-  WorldDice dice(seed, "leg_sensor");
+  sim::WorldDice dice(seed, "leg_sensor");
   sim::SensorOptions sensor = sim::sensor_preset("sick_lms200");
   sensor.interlace = false;
   if (dice.chance(0.5)) {  // a wider spot

@@ -27,18 +27,13 @@ void FeatureDetector::set_options(const DetectorOptions& options) {
 
 const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
-<<<<<<< HEAD
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
-  if (is_paper || options_.leg.enabled) detect_in_segments(scan);
-  if (!is_paper) detect_surfaces(scan);
-=======
   const bool by_rules = options_.leg.scorer == LegScorer::kRules;
-  if (options_.pipeline == Pipeline::kPaper || by_rules) detect_in_segments(scan);
-  if (options_.pipeline == Pipeline::kRobust) detect_surfaces(scan);
+  if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
+  if (!is_paper) detect_surfaces(scan);
   if (options_.leg.enabled && !by_rules) {
     forest_leg_detector_.detect(scan, *leg_forest_, options_.leg, features_.legs);
   }
->>>>>>> c3b504b (core/detect/leg: tell legs by a trained forest)
   return features_;
 }
 

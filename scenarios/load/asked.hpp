@@ -74,18 +74,19 @@ struct Question {
   const TreeNode* node = nullptr;
   Asked* asked = nullptr;
   Asked::Form form = Asked::Form::kText;
-  std::string missing_key;  ///< of the map `node`; empty where it is the node itself that may not fit
+  std::string missing_key = {};  ///< of the map `node`; empty where it is the node itself that may not fit
+  Allowed allowed = {};          ///< of a number: narrower than what `asked` has gathered where lists mix
 };
 
 /// Takes note of all questions while a tree is read.
-struct Recorder {
+struct AskedRecorder {
   Asked root;
   Question last;
 };
 
 /// Where questions about a value are noted; nowhere by default.
 struct Notes {
-  Recorder* recorder = nullptr;
+  AskedRecorder* recorder = nullptr;
   Asked* asked = nullptr;
 
   Notes of_key(std::string_view name) const { return asked ? Notes{recorder, &asked->key(name)} : Notes{}; }

@@ -169,7 +169,7 @@ Scenario load_document(TreeNode root, const Origin& origin, std::span<const Sett
 
 }  // namespace
 
-void read_scenario(const TreeNode& root, Recorder& recorder) {
+void read_scenario(const TreeNode& root, AskedRecorder& recorder) {
   read_tree(root, {&recorder, &recorder.root});
 }
 

@@ -28,6 +28,6 @@ Scenario parse_scenario(std::string_view text, const std::string& source,
 
 /// Reads a tree without includes, and notes all that is asked of it. @throws InputError as load_scenario does
 /// for single values; whether they fit together is not checked.
-void read_scenario(const TreeNode& root, Recorder& recorder);
+void read_scenario(const TreeNode& root, AskedRecorder& recorder);
 
 }  // namespace scanbed::scenarios

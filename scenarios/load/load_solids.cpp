@@ -73,8 +73,8 @@ void load_bench(Table& table, std::vector<sim::Solid>& solids) {
   const std::string id = table.need("id").text();
   const std::string label = table.text("label", "bench");
   const Pose2 X_WB = table.need("at").pose();
-  const BenchFeet feet = load_feet(table.need("feet"));
   const double seat_z_m = table.number("seat_z", 0.45, {.least = 0.0, .greatest = 2.0, .open = true});
+  const BenchFeet feet = load_feet(table.need("feet"));
   table.finish();
   append(sim::bench_parts({id, label, X_WB, feet.radius_m, feet.apart_m, seat_z_m}), solids);
 }

@@ -55,6 +55,12 @@ void Value::note(Asked::Form form) const {
   notes_.recorder->last = {node_, notes_.asked, form, ""};
 }
 
+void Value::note_number(Asked::Form form, const Allowed& allowed) const {
+  if (notes_.asked == nullptr) return;
+  notes_.asked->add_number(form, allowed);
+  notes_.recorder->last.allowed = allowed;
+}
+
 const std::string& Value::scalar(std::string_view expected) const {
   if (node_->kind != TreeNode::Kind::kScalar) {
     refuse(fmt::format("expected {}, found {}", expected, name_of(node_->kind)));
@@ -76,7 +82,7 @@ double Value::resolve(std::string_view expected) const {
 
 double Value::number(const Allowed& allowed) const {
   note(Asked::Form::kNumber);
-  if (notes_.asked != nullptr) notes_.asked->add_number(Asked::Form::kNumber, allowed);
+  note_number(Asked::Form::kNumber, allowed);
   const double value = resolve("a number");
   if (!holds(allowed, value)) {
     refuse(fmt::format("value {} is out of range; allowed: {}", value, to_text(allowed)));
@@ -86,7 +92,7 @@ double Value::number(const Allowed& allowed) const {
 
 std::int64_t Value::count(const Allowed& allowed) const {
   note(Asked::Form::kCount);
-  if (notes_.asked != nullptr) notes_.asked->add_number(Asked::Form::kCount, allowed);
+  note_number(Asked::Form::kCount, allowed);
   // Through the text where it is a plain number: a double cannot hold every 64-bit seed.
   const std::optional<std::int64_t> exact =
       node_->is_quoted ? std::nullopt : parse_count(scalar("a whole number"));

@@ -61,6 +61,7 @@ class Value {
   std::string name_;
   std::vector<Value> listed(std::size_t least, std::size_t greatest) const;
   void note(Asked::Form form) const;
+  void note_number(Asked::Form form, const Allowed& allowed) const;
 
   const Variables* variables_;
   Notes notes_;

@@ -194,7 +194,7 @@ class Learner {
     if (last.form == Form::kWord) return std::find(words.begin(), words.end(), node.text) != words.end();
     if (last.form == Form::kNumber || last.form == Form::kCount) {
       const std::optional<double> number = parse_number(node.text);
-      const Allowed& allowed = last.asked->allowed();
+      const Allowed& allowed = last.allowed;
       return number && *number >= allowed.least && *number <= allowed.greatest;
     }
     return last.form != Form::kFlag || node.text == "true";
@@ -204,7 +204,7 @@ class Learner {
     switch (last.form) {
       case Form::kNumber:
       case Form::kCount:
-        return scalar(number_text(last.asked->allowed(), share_of_next_number(), last.form == Form::kCount));
+        return scalar(number_text(last.allowed, share_of_next_number(), last.form == Form::kCount));
       case Form::kFlag:
         return scalar("true");
       case Form::kText:
@@ -243,7 +243,7 @@ class Learner {
   }
 
   const Reader& read_;
-  Recorder recorder_;
+  AskedRecorder recorder_;
   Numbers numbers_ = Numbers::kGreatest;
   int num_numbers_ = 0;  // in the tree so far
   std::map<const Asked*, TreeNode> examples_;

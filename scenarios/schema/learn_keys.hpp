@@ -8,7 +8,7 @@
 namespace scanbed::scenarios {
 
 /// Reads a tree, notes what it asks, and throws InputError where it refuses.
-using Reader = std::function<void(const TreeNode& root, Recorder& recorder)>;
+using Reader = std::function<void(const TreeNode& root, AskedRecorder& recorder)>;
 
 /// Learns all that a reader may ask, from its questions alone: it is given small trees again and again, each
 /// with one or two keys more than the reader insists on, until no tree leads to a new question.

@@ -20,8 +20,8 @@ void read(const Value& value) {
   table.finish();
 }
 
-Recorder noted(const std::string& text) {
-  Recorder recorder;
+AskedRecorder noted(const std::string& text) {
+  AskedRecorder recorder;
   const TreeNode root = parse_yaml(text, "f");
   const Variables none;
   testing::error_of([&] { read(Value(root, "r", none, {&recorder, &recorder.root})); });
@@ -29,7 +29,7 @@ Recorder noted(const std::string& text) {
 }
 
 TEST(AskedTest, NotesKeysInTheOrderOfTheQuestions) {
-  const Recorder recorder = noted("{c: true, b: [[1, 2], [3, 4]], a: 2}");
+  const AskedRecorder recorder = noted("{c: true, b: [[1, 2], [3, 4]], a: 2}");
   const Asked& asked = recorder.root;
   EXPECT_EQ(asked.key_names(), (std::vector<std::string>{"a", "b", "c"}));
   EXPECT_TRUE(asked.is_needed("a"));
@@ -44,7 +44,7 @@ TEST(AskedTest, NotesKeysInTheOrderOfTheQuestions) {
 
 TEST(AskedTest, TheLastQuestionIsTheOneThatWasNotAnswered) {
   EXPECT_EQ(noted("{c: true}").last.missing_key, "a");
-  const Recorder recorder = noted("{a: 2, b: 7}");
+  const AskedRecorder recorder = noted("{a: 2, b: 7}");
   EXPECT_TRUE(recorder.last.missing_key.empty());
   EXPECT_EQ(recorder.last.form, Form::kList);
   EXPECT_EQ(recorder.last.asked, &recorder.root.key("b"));

@@ -15,7 +15,7 @@ using Form = Asked::Form;
 
 // A small language with all that makes learning hard: keys that exclude each other, keys that go with another
 // one only, words that change what is asked, a list or a single value, free names.
-void read_toy(const TreeNode& root, Recorder& recorder) {
+void read_toy(const TreeNode& root, AskedRecorder& recorder) {
   static const std::array<std::string, 2> kKinds = {"plain", "fancy"};
   const Variables none;
   Table table(Value(root, "toy", none, {&recorder, &recorder.root}));
