@@ -51,8 +51,7 @@ void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
   };
   std::sort(bounds.begin(), bounds.end(), is_written_before);
   for (const auto& [metric, bound] : bounds) {
-    scenario.needs.push_back(
-        {kind, metric, bound.number(allowed_bound(metric)), window, preset, known_fail});
+    scenario.needs.push_back({kind, metric, bound.number(allowed_bound(metric)), window, preset, known_fail});
   }
 }
 
