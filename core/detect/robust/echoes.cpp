@@ -99,7 +99,8 @@ void EchoReader::estimate_noise(const SurfaceOptions& options, Echoes& echoes) {
     const double spread_m =
         std::abs(r[k] - r[k - 1]) + std::abs(r[k - 1] - r[k - 2]) + std::abs(r[k - 2] - r[k - 3]);
     if (echoes.beam[k] - echoes.beam[k - 3] != 3 || !(spread_m <= kSmoothStep_m)) continue;
-    noise_.add(r[k] - 3.0 * r[k - 1] + 3.0 * r[k - 2] - r[k - 3]);
+    // By steps, which do not overflow where ranges would.
+    noise_.add((r[k] - r[k - 1]) - 2.0 * (r[k - 1] - r[k - 2]) + (r[k - 2] - r[k - 3]));
   }
   const std::optional<double> sigma_m = noise_.sigma_m();
   echoes.range_noise_m = std::clamp(sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m,
