@@ -72,6 +72,9 @@ class LmsLink {
   /// for each few bytes. Of no use where bytes come faster than the baud says.
   void rest_in_telegrams() { rests_ = true; }
 
+  /// From now on waits this long for the rest of a telegram: for an emulator that may stand still in one.
+  void wait_in_telegrams(double gap_s) { decoder_.set_expiry(gap_s); }
+
   void flush();
 
   const LinkCounts& counts() const { return counts_; }

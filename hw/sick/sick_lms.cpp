@@ -181,8 +181,13 @@ void SickLms::Impl::stream(LmsLink& link, const LmsConfiguration& configuration)
   const double telegram_s = (2.0 * options.variant().num_beams() + 12.0) * 10.0 / options.baud;
   const double limit_s = options.patience.silence_s + 3.0 * telegram_s;
   double last_good_s = steady_now_s();
-  // Emulators that do not keep to their baud are read without rest.
-  if (!options.is_lossless) link.rest_in_telegrams();
+  // An emulator that waits for its host does not keep to its baud: it is read without rest. On a busy machine
+  // it may also stand still in a telegram, and that is no reason to lose it.
+  if (options.is_lossless) {
+    link.wait_in_telegrams(options.patience.silence_s);
+  } else {
+    link.rest_in_telegrams();
+  }
   WireItem item;
   for (double arrival_s = 0.0;;) {
     const bool has_telegram = link.next_telegram(item, kSlice_s, arrival_s);

@@ -72,7 +72,7 @@ bool TelegramDecoder::next(WireItem& item) {
 }
 
 void TelegramDecoder::expire(double now_s) {
-  if (!is_waiting() || now_s - last_feed_s_ < kExpiry_s) return;
+  if (!is_waiting() || now_s - last_feed_s_ < expiry_s_) return;
   skip_one();
   ++counts_.num_expired;
 }

@@ -42,8 +42,12 @@ class TelegramDecoder {
   /// Finds the next item; false where none is complete yet.
   bool next(WireItem& item);
 
-  /// Gives up a telegram that has stood still for kExpiry_s; next() then looks at what lies behind its start.
+  /// Gives up a telegram that has stood still for the time of expiry; next() then looks at what lies behind
+  /// its start.
   void expire(double now_s);
+
+  /// In place of kExpiry_s.
+  void set_expiry(double expiry_s) { expiry_s_ = expiry_s; }
 
   /// Whether the start of a telegram waits for its rest.
   bool is_waiting() const { return head_ < buffer_.size(); }
@@ -65,6 +69,7 @@ class TelegramDecoder {
   Talker talker_;
   Bytes buffer_;
   std::size_t head_ = 0;  // of what was not looked at yet
+  double expiry_s_ = kExpiry_s;
   double last_feed_s_ = 0.0;
   DecoderCounts counts_;
 };

@@ -140,6 +140,21 @@ RC_GTEST_PROP(TelegramDecoderTest, FindsTheTelegramBehindAnyGarbage, (const Byte
   RC_ASSERT(last == kDoneBody);
 }
 
+TEST(TelegramDecoderTest, WaitsForTheRestAsLongAsItIsTold) {
+  TelegramDecoder decoder(Talker::kSensor);
+  decoder.set_expiry(1.0);
+  WireItem item;
+  decoder.feed(ByteView(kDone).first(5), 0.0);
+  EXPECT_FALSE(decoder.next(item));
+  decoder.expire(0.9);
+  decoder.feed(ByteView(kDone).subspan(5), 0.9);
+  EXPECT_TRUE(decoder.next(item));
+  decoder.feed(ByteView(kDone).first(5), 1.0);
+  EXPECT_FALSE(decoder.next(item));
+  decoder.expire(2.0);
+  EXPECT_EQ(decoder.counts().num_expired, 1);
+}
+
 TEST(TelegramDecoderTest, KnowsHowMuchOfATelegramIsMissing) {
   TelegramDecoder decoder(Talker::kSensor);
   WireItem item;
