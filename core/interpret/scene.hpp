@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/detect/features.hpp"
@@ -11,6 +12,11 @@
 namespace scanbed {
 
 enum class SceneKind { kWall, kCorner, kColumn, kBench, kDoor, kTrashCan };
+
+inline constexpr int kNumSceneKinds = 6;
+
+/// "wall", "corner", "column", "bench", "door" or "trash_can".
+std::string_view to_string(SceneKind kind);
 
 /// A feature by its list (kLine, kCircle or kLeg) and its place in it.
 struct FeatureRef {

@@ -92,6 +92,14 @@ int num_workers(const RunCommand& command) {
   return is_alone ? 1 : command.num_workers;
 }
 
+// The script drives on through what it meets: somebody should know. The summary of several runs says it too.
+void warn_of_collisions(const RunResult& result) {
+  if (result.collisions.empty()) return;
+  const std::size_t num_more = result.collisions.size() - 1;
+  log_warning(fmt::format("{}: {}{}", result.scenario, to_string(result.collisions.front()),
+                          num_more == 0 ? "" : fmt::format("; {} more in --json", num_more)));
+}
+
 // Tells of each run as it ends, and of all of them.
 class Reporter {
  public:
@@ -103,6 +111,7 @@ class Reporter {
     if (result.passed_unexpectedly()) {
       log_warning(result.scenario + ": passed, although known to fail: " + *result.known_fail);
     }
+    if (num_runs_ == 1) warn_of_collisions(result);
     if (prints() && (num_runs_ == 1 || command_.tables)) {
       write_whole(std::nullopt, (results_.empty() ? "" : "\n") + describe(run));
     }
@@ -185,26 +194,26 @@ ExitCode execute(const RunCommand& command) {
   check_tasks(command, tasks);
   Reporter reporter(command, static_cast<int>(tasks.size()));
   std::vector<std::optional<RunAndPictures>> runs(tasks.size());
-  do_in_order(
-      {.num_jobs = static_cast<int>(tasks.size()),
-       .num_workers = num_workers(command),
-       .work =
-           [&](int i) {
-             if (is_interrupted()) return;
-             Task& task = tasks[i];
-             if (!task.scenario) {
-               task.scenario = open_scenario(task.name, settings.scenario, task.seed);
-             }
-             FeatureDetector detector(options.detector);
-             const Processing processing{detector, command.track, command.detector.preset, options.track};
-             runs[i] = run_one(command, {*task.scenario, processing, task.out, tasks.size() == 1});
-             task.scenario.reset();
-           },
-       .finish =
-           [&](int i) {
-             if (runs[i]) reporter.take(std::move(*runs[i]));
-             return runs[i].has_value();
-           }});
+  do_in_order({.num_jobs = static_cast<int>(tasks.size()),
+               .num_workers = num_workers(command),
+               .work =
+                   [&](int i) {
+                     if (is_interrupted()) return;
+                     Task& task = tasks[i];
+                     if (!task.scenario) {
+                       task.scenario = open_scenario(task.name, settings.scenario, task.seed);
+                     }
+                     FeatureDetector detector(options.detector);
+                     const AnalystOptions analysis{command.track, false, options.track, options.interpret};
+                     const Processing processing{detector, analysis, command.detector.preset};
+                     runs[i] = run_one(command, {*task.scenario, processing, task.out, tasks.size() == 1});
+                     task.scenario.reset();
+                   },
+               .finish =
+                   [&](int i) {
+                     if (runs[i]) reporter.take(std::move(*runs[i]));
+                     return runs[i].has_value();
+                   }});
   return reporter.finish();
 }
 

@@ -2,6 +2,7 @@
 #include "scenarios/command/run_one.hpp"
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -22,66 +23,52 @@ Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
   return {command.record, metadata};
 }
 
-RunAndPictures run_simulated(const RunCommand& command, const Run& run) {
-  const Scenario& scenario = run.scenario;
-  const std::unique_ptr<sim::SimulatedLms> sensor =
-      simulate(scenario, command.backend, run.processing.detector.options());
-  std::optional<PictureTaker> pictures;
-  if (run.out) pictures.emplace(scenario, *sensor, *run.out);
-  Recorder recorder = open_recorder(command, scenario);
+// Tells `see` of each scan that was judged, if there is such.
+RunResult run_on(RangeSensor& sensor, const RunCommand& command, const Run& run,
+                 const std::function<void(const LaserScan&, const Features&)>& see = {}) {
+  Recorder recorder = open_recorder(command, run.scenario);
   std::optional<Progress> progress;
-  if (run.shows_progress) progress.emplace(scenario.name);
-  RunAndPictures done;
-  done.result =
-      run_scenario(scenario, *sensor, run.processing, [&](const LaserScan& scan, const Features& features) {
-        if (pictures) pictures->see(scan, features);
-        recorder.see(scan, features, *sensor);
-        if (progress) progress->show(scan.index + 1);
-        return !is_interrupted();
-      });
+  if (run.shows_progress) progress.emplace(run.scenario.name);
+  RunResult result = run_scenario(run.scenario, sensor, run.processing,
+                                  [&](const LaserScan& scan, const Features& features) {
+                                    if (see) see(scan, features);
+                                    recorder.see(scan, features, sensor);
+                                    if (progress) progress->show(scan.index + 1);
+                                    return !is_interrupted();
+                                  });
   recorder.finish();
+  return result;
+}
+
+RunAndPictures run_simulated(const RunCommand& command, const Run& run) {
+  const std::unique_ptr<sim::SimulatedLms> sensor =
+      simulate(run.scenario, command.backend, run.processing.detector.options());
+  std::optional<PictureTaker> pictures;
+  if (run.out) pictures.emplace(run.scenario, *sensor, *run.out);
+  RunAndPictures done;
+  done.result = run_on(*sensor, command, run, [&](const LaserScan& scan, const Features& features) {
+    if (pictures) pictures->see(scan, features);
+  });
+  done.result.collisions = sensor->collisions();
   if (pictures) done.pictures = pictures->files();
   return done;
 }
 
 RunAndPictures run_on_log(const RunCommand& command, const Run& run) {
-  const Scenario& scenario = run.scenario;
   const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
-  Recorder recorder = open_recorder(command, scenario);
-  std::optional<Progress> progress;
-  if (run.shows_progress) progress.emplace(scenario.name);
-  RunAndPictures done;
-  done.result =
-      run_scenario(scenario, *log, run.processing, [&](const LaserScan& scan, const Features& features) {
-        recorder.see(scan, features, *log);
-        if (progress) progress->show(scan.index + 1);
-        return !is_interrupted();
-      });
-  recorder.finish();
+  RunAndPictures done{.result = run_on(*log, command, run), .pictures = {}};
   log_note(to_text(log->counts()));
   return done;
 }
 
 // As many scans of a device as the scenario's simulated laser would give.
 RunAndPictures run_on_device(const RunCommand& command, const Run& run) {
-  const Scenario& scenario = run.scenario;
-  const double num_scans = std::ceil(scenario.duration_s / scenario.lms.scan_period_s - 1e-9);
+  const double num_scans = std::ceil(run.scenario.duration_s / run.scenario.lms.scan_period_s - 1e-9);
   LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
                                                  .is_interrupted = is_interrupted,
                                                  .truth = command.truth,
                                                  .warn = log_warning});
-  Recorder recorder = open_recorder(command, scenario);
-  std::optional<Progress> progress;
-  if (run.shows_progress) progress.emplace(scenario.name);
-  RunAndPictures done;
-  done.result =
-      run_scenario(scenario, sensor, run.processing, [&](const LaserScan& scan, const Features& features) {
-        recorder.see(scan, features, sensor);
-        if (progress) progress->show(scan.index + 1);
-        return !is_interrupted();
-      });
-  recorder.finish();
-  return done;
+  return {.result = run_on(sensor, command, run), .pictures = {}};
 }
 
 RunAndPictures run_on_laser(const RunCommand& command, const Run& run) {

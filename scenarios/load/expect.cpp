@@ -18,6 +18,10 @@ std::string count_text(const ScanCondition& condition) {
 
 }  // namespace
 
+std::string_view to_string(ExpectedKind kind) {
+  return std::visit([](auto of) { return to_string(of); }, kind);
+}
+
 std::string Expectation::text() const {
   std::string text = std::string(to_string(condition.kind)) + count_text(condition);
   if (condition.near)

@@ -4,7 +4,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 
+#include "core/interpret/scene.hpp"
 #include "scenarios/load/need.hpp"
 
 namespace scanbed::scenarios {
@@ -12,21 +15,28 @@ namespace scanbed::scenarios {
 /// Features near one true object, wherever it is in a scan, seen or not.
 struct NearObject {
   std::string id;         ///< of an object, or of a thing of several: a walker's legs, a bench's feet
-  double within_m = 0.0;  ///< between the feature and the object: centres, or the nearest point of a line
+  double within_m = 0.0;  ///< between the feature and the object: centres, or the nearest point of a line,
+                          ///< wall, bench or door
 };
+
+/// Features, or what interpretation makes of them.
+using ExpectedKind = std::variant<FeatureKind, SceneKind>;
+
+std::string_view to_string(ExpectedKind kind);
 
 /// What one scan must show. Conditions that are left out hold.
 struct ScanCondition {
-  FeatureKind kind = FeatureKind::kLine;
+  ExpectedKind kind = FeatureKind::kLine;
   std::optional<NearObject> near;  ///< only features near it count
-  int at_least = 0;                ///< features
+  int at_least = 0;                ///< features, or objects of the scene
   int at_most = std::numeric_limits<int>::max();
   std::optional<double> recall;  ///< of this scan alone, at least; scans with nothing to find do not count
   std::optional<double>
       precision;  ///< of this scan alone, at least; scans with nothing detected do not count
 
-  /// Whether it can be told from features alone.
+  /// Whether it cannot be told from what was detected alone.
   bool needs_truth() const { return near || recall || precision; }
+  bool needs_scene() const { return std::holds_alternative<SceneKind>(kind); }
 };
 
 /// A condition that must hold in the scans of a time window.

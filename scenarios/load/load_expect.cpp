@@ -44,7 +44,7 @@ NearObject load_near(const Value& id, Table& table, const sim::World& world) {
   return near;
 }
 
-ScanCondition load_condition(const Value& value, FeatureKind kind, const sim::World& world) {
+ScanCondition load_condition(const Value& value, ExpectedKind kind, const sim::World& world) {
   Table table(value);
   ScanCondition condition{.kind = kind};
   if (const auto near = table.take("near")) condition.near = load_near(*near, table, world);
@@ -59,9 +59,17 @@ ScanCondition load_condition(const Value& value, FeatureKind kind, const sim::Wo
   if (precision) condition.precision = precision->number(kShare);
   if (condition.at_least > condition.at_most) at_most->refuse("is less than at_least");
   if (condition.near && (recall || precision)) value.refuse("near goes with at_least and at_most");
+  if (condition.needs_scene() && (recall || precision)) {
+    value.refuse(
+        "recall and precision are of line, circle and leg; a scene's objects have at_least and at_most");
+  }
   if (!at_least && !at_most && !recall && !precision) condition.at_least = 1;
   return condition;
 }
+
+constexpr ExpectedKind kExpectedKinds[] = {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg,
+                                           SceneKind::kWall,   SceneKind::kCorner,   SceneKind::kColumn,
+                                           SceneKind::kBench,  SceneKind::kDoor,     SceneKind::kTrashCan};
 
 // "all", "some", or a share of them.
 double load_share(const Value& value) {
@@ -74,7 +82,7 @@ Expectation load_expectation(const Value& value, const Scenario& scenario) {
   Table table(value);
   Expectation expectation;
   std::optional<Value> found;
-  for (const FeatureKind kind : {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg}) {
+  for (const ExpectedKind kind : kExpectedKinds) {
     const auto section = table.take(to_string(kind));
     if (!section) continue;
     if (found) section->refuse(fmt::format("a second kind beside '{}'", found->name()));
@@ -88,7 +96,8 @@ Expectation load_expectation(const Value& value, const Scenario& scenario) {
   expectation.known_fail = take_known_fail(table);
   if (const auto scans = table.take("scans")) expectation.share = load_share(*scans);
   table.finish();
-  if (!found) value.refuse("expects nothing; one of line, circle, leg");
+  if (!found)
+    value.refuse("expects nothing; one of line, circle, leg, wall, corner, column, bench, door, trash_can");
   return expectation;
 }
 

@@ -105,7 +105,7 @@ void load_map(const Value& value, const sim::Solid& frame, std::vector<sim::Soli
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     sim::Solid solid = frame;
     solid.id = fmt::format("{}.{}", frame.id, i);
-    sim::WallChain walls{.corners_m = {}, .closed = true};
+    sim::WallChain walls{.corners_m = {}, .closed = true, .bounds_matter = true};
     for (const Eigen::Vector2d& corner : outlines[i]) {
       walls.corners_m.emplace_back(map.X_WM * Eigen::Vector2d(map.resolution_m * corner));
     }

@@ -124,24 +124,6 @@ std::string_view name_of(TrackKind kind) {
   return "leg";
 }
 
-std::string_view name_of(SceneKind kind) {
-  switch (kind) {
-    case SceneKind::kWall:
-      return "wall";
-    case SceneKind::kCorner:
-      return "corner";
-    case SceneKind::kColumn:
-      return "column";
-    case SceneKind::kBench:
-      return "bench";
-    case SceneKind::kDoor:
-      return "door";
-    case SceneKind::kTrashCan:
-      break;
-  }
-  return "trash_can";
-}
-
 void append(std::string& out, const Track& track) {
   fmt::format_to(std::back_inserter(out), R"({{"id":{},"kind":"{}")", track.id, name_of(track.kind));
   ObjectWriter writer(out);
@@ -183,7 +165,7 @@ void append_scene(std::string& out, const Scene& scene, const std::vector<Placed
   for (const SceneObject& object : scene.objects) {
     if (!is_first) out += ',';
     is_first = false;
-    fmt::format_to(std::back_inserter(out), R"({{"kind":"{}")", name_of(object.kind));
+    fmt::format_to(std::back_inserter(out), R"({{"kind":"{}")", to_string(object.kind));
     ObjectWriter(out).point("center", object.center_m);
     append_details(out, object);
     out += ",\"from\":[";

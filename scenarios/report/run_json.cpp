@@ -101,11 +101,17 @@ Json verdict(const RunResult& result) {
   return is_measured ? Json(result.met_its_gates()) : Json(nullptr);
 }
 
+Json to_json(const sim::Collision& collision) {
+  return {{"time_s", rounded(collision.time_s)}, {"ids", {collision.first, collision.second}}};
+}
+
 Json to_json(const RunResult& result) {
   Json gates = Json::array();
   for (const GateResult& gate : result.gates) gates.push_back(to_json(gate));
   Json expectations = Json::array();
   for (const ExpectResult& expectation : result.expectations) expectations.push_back(to_json(expectation));
+  Json collisions = Json::array();
+  for (const sim::Collision& collision : result.collisions) collisions.push_back(to_json(collision));
   return {
       {"scenario", result.scenario},
       {"seed", result.seed},
@@ -119,6 +125,7 @@ Json to_json(const RunResult& result) {
       {"scores", result.scores ? to_json(*result.scores) : Json(nullptr)},
       {"gates", gates},
       {"expectations", expectations},
+      {"collisions", collisions},
       {"gates_met", verdict(result)},
       {"unexpected_pass", result.passed_unexpectedly()},
       {"accepted", result.is_accepted()},

@@ -156,6 +156,16 @@ void append_all_missed(std::string& out, Runs runs) {
   for (std::size_t i = 0; i < num_expectations; ++i) append_missed(out, runs, missed_expectation(runs, i));
 }
 
+// The first of a scenario's collisions, and in how many runs there are some.
+void append_collisions(std::string& out, Runs runs) {
+  const auto has_some = [](const RunResult& run) { return !run.collisions.empty(); };
+  const auto first = std::find_if(runs.begin(), runs.end(), has_some);
+  if (first == runs.end()) return;
+  append(out, "  {}: collisions in {} of {} runs; {} (seed {})\n", first->scenario,
+         std::count_if(runs.begin(), runs.end(), has_some), runs.size(),
+         sim::to_string(first->collisions.front()), first->seed);
+}
+
 }  // namespace
 
 std::string run_summary(std::span<const RunResult> results) {
@@ -167,9 +177,10 @@ std::string run_summary(std::span<const RunResult> results) {
   append(out, "{:>8}\n", "MOTA");
   const std::vector<Runs> groups = group(results);
   for (const Runs& runs : groups) append_row(out, runs);
-  std::string missed;
-  for (const Runs& runs : groups) append_all_missed(missed, runs);
-  if (!missed.empty()) out += "\n" + missed;
+  std::string notes;
+  for (const Runs& runs : groups) append_all_missed(notes, runs);
+  for (const Runs& runs : groups) append_collisions(notes, runs);
+  if (!notes.empty()) out += "\n" + notes;
   const int num_refused = count_refused(results);
   append(out, "\n{} scenarios, {} runs: ", groups.size(), results.size());
   out += num_refused == 0 ? "no gate missed that is not known to fail\n"

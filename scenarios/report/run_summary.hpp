@@ -9,7 +9,8 @@
 namespace scanbed::scenarios {
 
 /// A table of several runs: a row for each scenario, its counts pooled over the runs that stand one behind
-/// the other; then each gate that some of them missed, with the worst; then the verdict.
+/// the other; then each gate that some of them missed, with the worst, and who ran into whom; then the
+/// verdict.
 std::string run_summary(std::span<const RunResult> results);
 
 }  // namespace scanbed::scenarios

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-
-#include "core/track/tracker.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -22,6 +19,18 @@ void count(const Features& features, FeatureCounts& counts) {
 bool needs_tracks(const Scenario& scenario) {
   return std::any_of(scenario.needs.begin(), scenario.needs.end(),
                      [](const Need& need) { return is_followed(need.kind); });
+}
+
+bool needs_scene(const Scenario& scenario) {
+  return std::any_of(scenario.expectations.begin(), scenario.expectations.end(),
+                     [](const Expectation& expectation) { return expectation.condition.needs_scene(); });
+}
+
+AnalystOptions analysis_of(const Scenario& scenario, const Processing& processing) {
+  AnalystOptions options = processing.analysis;
+  options.track = options.track || needs_tracks(scenario);
+  options.interpret = options.interpret || needs_scene(scenario);
+  return options;
 }
 
 }  // namespace
@@ -55,16 +64,14 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Proc
   result.known_fail = scenario.known_fail;
   result.preset = processing.preset;
   Judge judge(scenario, processing.preset);
-  std::optional<Tracker> tracker;
-  if (processing.track || needs_tracks(scenario)) tracker.emplace(processing.tracker);
+  Analyst analyst(processing.detector, analysis_of(scenario, processing));
   LaserScan scan;
   while (!result.interrupted && sensor.next(scan, kScanTimeout)) {
     ++result.num_scans;
-    const Features& features = processing.detector.detect(scan);
-    count(features, result.features);
-    const std::vector<Track>* tracks = tracker ? &tracker->update(scan, features) : nullptr;
-    judge.add({scan, features, sensor.truth(), tracks});
-    result.interrupted = !observer(scan, features);
+    const Findings found = analyst.analyse(scan);
+    count(found.features, result.features);
+    judge.add({scan, found.features, sensor.truth(), found.tracks, found.scene});
+    result.interrupted = !observer(scan, found.features);
   }
   result.scores = judge.scores();
   result.gates = judge.gates();

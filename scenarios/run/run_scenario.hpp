@@ -10,10 +10,11 @@
 #include "core/detect/feature_detector.hpp"
 #include "core/scan/range_sensor.hpp"
 #include "core/score/tally.hpp"
-#include "core/track/track_options.hpp"
 #include "scenarios/load/scenario.hpp"
+#include "scenarios/run/analyst.hpp"
 #include "scenarios/run/gates.hpp"
 #include "scenarios/run/judge.hpp"
+#include "sim/world/collision_watch.hpp"
 
 namespace scanbed::scenarios {
 
@@ -36,6 +37,7 @@ struct RunResult {
   std::optional<Scores> scores;   ///< empty where the laser has no truth
   std::vector<GateResult> gates;  ///< empty where there are no scores, or no needs
   std::vector<ExpectResult> expectations;
+  std::vector<sim::Collision> collisions;  ///< of a simulated laser's world: what its script violates
   std::optional<std::string> known_fail;
   bool interrupted = false;  ///< stopped before the end of the stream
 
@@ -48,16 +50,16 @@ struct RunResult {
 /// What is done with the scans of a run.
 struct Processing {
   FeatureDetector& detector;
-  bool track = false;       ///< follow people and cylinders; done anyway where the scenario has needs of them
-  std::string preset = {};  ///< that the detector's options began as: which needs hold for it
-  TrackOptions tracker = {};  ///< how they are followed
+  AnalystOptions analysis = {};  ///< more is done anyway where the scenario is held to it
+  std::string preset = {};       ///< that the detector's options began as: which needs hold for it
 };
 
 /// Called with each scan and its features; returns false to stop after it.
 using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
 
 /// Takes all scans of a sensor, detects, scores those that come with truth, and holds the scores against the
-/// scenario's needs of the preset. Fills all fields but laser, which only the caller knows.
+/// scenario's needs of the preset. Fills all fields but laser and collisions, which only the caller
+/// knows.
 ///
 /// @throws what the sensor's next() throws.
 RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Processing& processing,

@@ -50,6 +50,22 @@ std::vector<Segment> places(const Features& features, FeatureKind kind) {
   return places;
 }
 
+std::vector<Segment> places(const Scene& scene, SceneKind kind) {
+  const bool has_ends = kind == SceneKind::kWall || kind == SceneKind::kBench || kind == SceneKind::kDoor;
+  std::vector<Segment> places;
+  for (const SceneObject& object : scene.objects) {
+    if (object.kind != kind) continue;
+    places.push_back(has_ends ? Segment{object.left_m, object.right_m}
+                              : Segment{object.center_m, object.center_m});
+  }
+  return places;
+}
+
+std::vector<Segment> places(const DetectedScan& detected, ExpectedKind kind) {
+  if (const auto* feature = std::get_if<FeatureKind>(&kind)) return places(detected.features, *feature);
+  return places(*detected.scene, std::get<SceneKind>(kind));
+}
+
 bool is_meant(const ObjectTruth& object, const std::string& id) {
   if (!object.id.starts_with(id)) return false;
   return object.id.size() == id.size() || object.id[id.size()] == '.';
@@ -87,7 +103,8 @@ std::optional<bool> reaches(const ScanCondition& condition, const Tally& tally) 
 std::optional<bool> holds(const ScanCondition& condition, const DetectedScan& detected,
                           const MatchOptions& match) {
   if (condition.needs_truth() && detected.truth == nullptr) return std::nullopt;
-  const std::vector<Segment> found = places(detected.features, condition.kind);
+  if (condition.needs_scene() && detected.scene == nullptr) return std::nullopt;
+  const std::vector<Segment> found = places(detected, condition.kind);
   const int count =
       condition.near ? num_near(found, *condition.near, *detected.truth) : static_cast<int>(found.size());
   const bool is_count_fine = count >= condition.at_least && count <= condition.at_most;
@@ -95,7 +112,7 @@ std::optional<bool> holds(const ScanCondition& condition, const DetectedScan& de
   Scorer scorer(match);
   scorer.add(detected.features, detected.scan, *detected.truth);
   const std::optional<bool> is_score_fine =
-      reaches(condition, score_of(scorer.scores(), condition.kind).tally);
+      reaches(condition, score_of(scorer.scores(), std::get<FeatureKind>(condition.kind)).tally);
   return is_score_fine ? std::optional(*is_score_fine && is_count_fine) : std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/detect/features.hpp"
+#include "core/interpret/scene.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "core/scan/truth.hpp"
 #include "core/score/match_options.hpp"
@@ -19,10 +20,11 @@ struct DetectedScan {
   const Features& features;
   const Truth* truth = nullptr;                ///< null where the laser has none
   const std::vector<Track>* tracks = nullptr;  ///< null where nothing is followed
+  const Scene* scene = nullptr;                ///< null where nothing is interpreted
 };
 
-/// Whether the condition holds in this scan; empty where the scan cannot tell: no truth, or nothing to find
-/// (recall), or nothing detected (precision).
+/// Whether the condition holds in this scan; empty where the scan cannot tell: no truth, no scene,
+/// nothing to find (recall), or nothing detected (precision).
 std::optional<bool> holds(const ScanCondition& condition, const DetectedScan& detected,
                           const MatchOptions& match);
 

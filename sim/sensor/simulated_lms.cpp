@@ -115,6 +115,7 @@ bool follows_legs(const Robot& robot) {
 
 struct SimulatedLms::Impl {
   Impl(World&& description, const SimulationOptions& given);
+  void advance_to(double time_s);
   void cast_piece(std::size_t piece);
   void begin(double time_s);
 
@@ -132,7 +133,8 @@ struct SimulatedLms::Impl {
   std::int64_t num_scans;
   std::int64_t next_scan = 0;
   WorldState state;
-  std::optional<Pilot> pilot;  ///< only where legs are followed
+  std::optional<CollisionWatch> watch;  ///< only where something moves
+  std::optional<Pilot> pilot;           ///< only where legs are followed
 };
 
 SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
@@ -146,6 +148,7 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
       // The slack keeps 0.3 s at 0.1 s from having a fourth scan: 0.3 / 0.1 is a little less than 3.
       num_scans(static_cast<std::int64_t>(std::ceil(options.duration_s / options.lms.scan_period_s - 1e-9))),
       state(engine->state()) {
+  if (moves(world)) watch.emplace(world);
   if (follows_legs(world.robot)) pilot.emplace(world.robot, options);
   const bool has_spot = options.lms.spot_diameter_m(1.0) > 0.0;
   for (const Piece& piece : pieces) {
@@ -158,8 +161,13 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
   returns.spot_returns.reserve(num_beams * options.lms.spot.num_rays);
 }
 
-void SimulatedLms::Impl::begin(double time_s) {
+void SimulatedLms::Impl::advance_to(double time_s) {
   engine->advance_to(time_s);
+  if (watch) watch->look(engine->state());
+}
+
+void SimulatedLms::Impl::begin(double time_s) {
+  advance_to(time_s);
   state = engine->state();
   truth_maker.begin(engine->state().X_WR * world.robot.X_RS);
   returns.reset(geometry.num_beams);
@@ -190,7 +198,7 @@ bool SimulatedLms::next(LaserScan& scan, Seconds /*timeout*/) {
   const double time_s = static_cast<double>(s.next_scan) * s.options.lms.scan_period_s;
   s.begin(time_s);
   for (std::size_t piece = 0; piece < s.pieces.size(); ++piece) {
-    if (s.pieces[piece].offset_s > 0.0) s.engine->advance_to(time_s + s.pieces[piece].offset_s);
+    if (s.pieces[piece].offset_s > 0.0) s.advance_to(time_s + s.pieces[piece].offset_s);
     s.cast_piece(piece);
   }
   s.truth_maker.finish(s.returns, s.geometry.max_range_m);
@@ -216,6 +224,11 @@ const World& SimulatedLms::world() const {
 
 const WorldState& SimulatedLms::state() const {
   return impl_->state;
+}
+
+const std::vector<Collision>& SimulatedLms::collisions() const {
+  static const std::vector<Collision> none;
+  return impl_->watch ? impl_->watch->collisions() : none;
 }
 
 }  // namespace scanbed::sim

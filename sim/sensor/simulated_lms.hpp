@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/detect/detector_options.hpp"
 #include "core/scan/range_sensor.hpp"
 #include "sim/engine/make_engine.hpp"
 #include "sim/sensor/lms_options.hpp"
+#include "sim/world/collision_watch.hpp"
 #include "sim/world/world.hpp"
 #include "sim/world/world_state.hpp"
 
@@ -40,6 +42,9 @@ class SimulatedLms final : public RangeSensor {
 
   /// The moving things at the time of the scan that next() gave last (before the first: at time 0).
   const WorldState& state() const;
+
+  /// What the script has driven into each other so far.
+  const std::vector<Collision>& collisions() const;
 
  private:
   struct Impl;

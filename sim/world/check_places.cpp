@@ -38,6 +38,33 @@ void check_room(const World& world, const Disc& disc, const std::string& name) {
   }
 }
 
+// How often a polygon runs round a point, counter-clockwise.
+int winding_number(const std::vector<Edge>& edges, const Vector2d& p_WQ) {
+  int number = 0;
+  for (const Edge& edge : edges) {
+    const bool rises = edge.a_m.y() <= p_WQ.y();
+    if (rises == (edge.b_m.y() <= p_WQ.y())) continue;
+    const double t = (p_WQ.y() - edge.a_m.y()) / (edge.b_m.y() - edge.a_m.y());
+    if (edge.a_m.x() + t * (edge.b_m.x() - edge.a_m.x()) > p_WQ.x()) number += rises ? 1 : -1;
+  }
+  return number;
+}
+
+// In matter whose outlines, and those of its holes, are walls.
+void check_in_matter(const World& world, const Vector2d& p_WQ, const std::string& name) {
+  int number = 0;
+  const Solid* outer = nullptr;
+  for (const Solid& solid : world.solids) {
+    const auto* walls = std::get_if<WallChain>(&solid.shape);
+    if (walls == nullptr || !walls->bounds_matter) continue;
+    const int turns = winding_number(outline(solid.shape), p_WQ);
+    if (turns > 0) outer = &solid;
+    number += turns;
+  }
+  if (number <= 0 || outer == nullptr) return;
+  throw InputError(name + ": is in what " + quoted("solid", outer->id) + " fills; allowed: in the free");
+}
+
 void check_room_of_tow(const World& world, const Tow& tow, const Pose2& X_WP) {
   const std::string name = quoted("towed cylinder", tow.id) + ": start, a rope's length behind its walker";
   const Vector2d p_WC = X_WP * Vector2d(-(tow.rope_m + tow.radius_m), 0.0);
@@ -58,6 +85,7 @@ void check_room_of_walker(const World& world, const Walker& walker) {
   const RoundedPath path(walker.path);
   const Pose2 X_WP = path.pose_at(0.0) * Pose2{{0.0, walker.lateral_m}, 0.0};
   check_room(world, {X_WP.p_m, radius_m, walker.height_m}, name + ": start of its path");
+  check_in_matter(world, X_WP.p_m, name + ": start of its path");
   for (std::size_t i = 0; i < walker.path.points_m.size() && walker.path.round_m == 0.0; ++i) {
     for (const Solid& solid : world.solids) {
       if (solid.bottom_m >= walker.height_m || std::holds_alternative<WallChain>(solid.shape)) continue;
@@ -72,20 +100,6 @@ void check_room_of_walker(const World& world, const Walker& walker) {
 
 bool is_filled(const Solid& solid) {
   return !std::holds_alternative<WallChain>(solid.shape);
-}
-
-Bounds bounds_of(const SolidShape& shape) {
-  Bounds bounds;
-  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-    const Vector2d reach = Vector2d::Constant(cylinder->radius_m);
-    bounds.extend(cylinder->center_m - reach);
-    bounds.extend(cylinder->center_m + reach);
-  }
-  for (const Edge& edge : outline(shape)) {
-    bounds.extend(edge.a_m);
-    bounds.extend(edge.b_m);
-  }
-  return bounds;
 }
 
 // Both of what is filled: such shapes are convex, so their corners say all.
@@ -116,17 +130,6 @@ void check_hidden(const World& world, const std::vector<Bounds>& bounds) {
   }
 }
 
-// By the crossings of a ray to the right; of closed walls.
-bool is_enclosed(const std::vector<Edge>& edges, const Vector2d& p_WQ) {
-  bool is_inside = false;
-  for (const Edge& edge : edges) {
-    if ((edge.a_m.y() > p_WQ.y()) == (edge.b_m.y() > p_WQ.y())) continue;
-    const double t = (p_WQ.y() - edge.a_m.y()) / (edge.b_m.y() - edge.a_m.y());
-    if (edge.a_m.x() + t * (edge.b_m.x() - edge.a_m.x()) > p_WQ.x()) is_inside = !is_inside;
-  }
-  return is_inside;
-}
-
 // Closed walls that go round everything but the robot are where the scenario is: the robot stands outside by
 // mistake. Walls alone are no such place; they may be meant to be seen from outside.
 void check_enclosed(const World& world, const std::vector<Bounds>& bounds) {
@@ -143,7 +146,7 @@ void check_enclosed(const World& world, const std::vector<Bounds>& bounds) {
         std::all_of(bounds.begin(), bounds.end(), [&](const Bounds& b) { return bounds[i].contains(b); });
     if (!is_around) continue;
     const std::vector<Edge> edges = outline(world.solids[i].shape);
-    const auto is_in = [&](const Vector2d& p_WQ) { return is_enclosed(edges, p_WQ); };
+    const auto is_in = [&](const Vector2d& p_WQ) { return winding_number(edges, p_WQ) != 0; };
     if (is_in(world.robot.X_WR.p_m) || !std::all_of(others.begin(), others.end(), is_in)) continue;
     throw InputError("robot: start: is outside " + quoted("solid", world.solids[i].id) +
                      ", which encloses everything else; allowed: inside");
@@ -154,9 +157,10 @@ void check_enclosed(const World& world, const std::vector<Bounds>& bounds) {
 
 void check_places(const World& world) {
   std::vector<Bounds> bounds;
-  for (const Solid& solid : world.solids) bounds.push_back(bounds_of(solid.shape));
+  for (const Solid& solid : world.solids) bounds.push_back(ShapeOutline(solid.shape).bounds());
   check_hidden(world, bounds);
   check_room(world, {world.robot.X_WR.p_m, world.robot.radius_m, world.robot.laser_height_m}, "robot: start");
+  check_in_matter(world, world.robot.X_WR.p_m, "robot: start");
   check_enclosed(world, bounds);
   for (const Walker& walker : world.walkers) check_room_of_walker(world, walker);
 }

@@ -61,15 +61,29 @@ bool crosses(const Edge& edge, const Vector2d& p_WP, const Vector2d& p_WQ) {
   return ends_apart && cross(along, p_WP - edge.a_m) * cross(along, p_WQ - edge.a_m) < 0.0;
 }
 
-double clearance_m(const SolidShape& shape, const Vector2d& p_WQ) {
+ShapeOutline::ShapeOutline(const SolidShape& shape)
+    : is_filled_(!std::holds_alternative<WallChain>(shape)), edges_(outline(shape)) {
   if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-    return (p_WQ - cylinder->center_m).norm() - cylinder->radius_m;
+    center_m_ = cylinder->center_m;
+    radius_m_ = cylinder->radius_m;
+    bounds_.extend(center_m_ - Vector2d::Constant(radius_m_));
+    bounds_.extend(center_m_ + Vector2d::Constant(radius_m_));
   }
-  const std::vector<Edge> edges = outline(shape);
+  for (const Edge& edge : edges_) {
+    bounds_.extend(edge.a_m);
+    bounds_.extend(edge.b_m);
+  }
+}
+
+double ShapeOutline::clearance_m(const Vector2d& p_WQ) const {
+  if (radius_m_ > 0.0) return (p_WQ - center_m_).norm() - radius_m_;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : edges) nearest_m = std::min(nearest_m, distance_m(edge, p_WQ));
-  const bool filled = !std::holds_alternative<WallChain>(shape);
-  return filled && is_inside(edges, p_WQ) ? -nearest_m : nearest_m;
+  for (const Edge& edge : edges_) nearest_m = std::min(nearest_m, distance_m(edge, p_WQ));
+  return is_filled_ && is_inside(edges_, p_WQ) ? -nearest_m : nearest_m;
+}
+
+double clearance_m(const SolidShape& shape, const Vector2d& p_WQ) {
+  return ShapeOutline(shape).clearance_m(p_WQ);
 }
 
 }  // namespace scanbed::sim

@@ -23,6 +23,7 @@ struct Material {
 struct WallChain {
   std::vector<Eigen::Vector2d> corners_m;  ///< p_WQ, at least 2, no two neighbours equal
   bool closed = false;                     ///< the last corner joins the first
+  bool bounds_matter = false;              ///< closed: what lies to their left is filled, as in a map
 };
 
 struct Cylinder {

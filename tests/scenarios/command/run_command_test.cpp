@@ -47,6 +47,15 @@ TEST_F(RunTest, ReportsAKnownFailureWithoutFailing) {
   EXPECT_NE(outcome.out.find("0 of 1 gates passed; known failure: a test"), std::string::npos);
 }
 
+TEST_F(RunTest, WarnsOfWhatTheScriptDrivesIntoEachOther) {
+  const Outcome outcome = run_program(
+      {"run", scenario("schema: 1\nname: crash\nduration: 2\nrobot: {speed: 0.5, drive: [{go: 2}]}\n"
+                       "world: [{id: post, cylinder: {at: [1, 0], r: 0.3}}]\n")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("warning: crash: at 1.00 s robot runs into post\n"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
   const Outcome outcome = run_program({"run", scenario(kEasy), scenario(kHard, "t.yaml")});
   EXPECT_EQ(outcome.exit_code, 1);

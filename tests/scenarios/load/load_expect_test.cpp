@@ -27,6 +27,9 @@ TEST(LoadExpectTest, TakesEveryKey) {
             "leg, recall >= 0.5, precision >= 0.6, in all scans");
   EXPECT_EQ(expectation("{line: {}, scans: some}").text(), "line, at least 1, in one scan");
   EXPECT_EQ(expectation("{line: {at_most: 0}, scans: all}").text(), "line, at most 0, in all scans");
+  EXPECT_EQ(expectation("{bench: {near: cyl, within: 0.3, at_most: 0}}").text(),
+            "bench, at most 0 within 0.3 m of cyl, in all scans");
+  EXPECT_EQ(expectation("{trash_can: {at_least: 2}}").text(), "trash_can, at least 2, in all scans");
   EXPECT_EQ(expectation("{line: {}, preset: paper}").preset, "paper");
   EXPECT_EQ(expectation("{line: {}, known_fail: too far}").known_fail, "too far");
 }
@@ -40,12 +43,18 @@ TEST(LoadExpectTest, NamesObjectsAndThingsOfSeveral) {
 }
 
 TEST(LoadExpectTest, RefusesWhatCannotBeMeant) {
-  EXPECT_EQ(error("{scans: all}"), "f:6:10: expect: expects nothing; one of line, circle, leg");
+  EXPECT_EQ(error("{scans: all}"),
+            "f:6:10: expect: expects nothing; one of line, circle, leg, wall, corner, column, bench, door, "
+            "trash_can");
   EXPECT_EQ(error("{line: {}, leg: {}}"), "f:6:26: leg: a second kind beside 'line'");
   EXPECT_EQ(error("{line: {near: hall}}"), "f:6:17: line: missing key 'within'");
   EXPECT_EQ(error("{line: {at_least: 2, at_most: 1}}"), "f:6:40: at_most: is less than at_least");
   EXPECT_EQ(error("{line: {near: hall, within: 1, recall: 1}}"),
             "f:6:17: line: near goes with at_least and at_most");
+  EXPECT_EQ(
+      error("{bench: {recall: 1}}"),
+      "f:6:18: bench: recall and precision are of line, circle and leg; a scene's objects have at_least and "
+      "at_most");
   EXPECT_EQ(error("{line: {}, scans: most}"), "f:6:28: scans: expected a number, found 'most'");
   EXPECT_EQ(error("{line: {}, between: [1, 1]}"), "f:6:34: between: the window ends before it begins");
   EXPECT_EQ(error("{line: {}, between: [1, 3]}"),

@@ -51,6 +51,13 @@ TEST(RunJsonTest, HoldsTheGates) {
   EXPECT_EQ(run["gates_met"], false);
 }
 
+TEST(RunJsonTest, HoldsCollisions) {
+  RunResult result = testing::made_result();
+  EXPECT_EQ(first_run(result)["collisions"], nlohmann::json::array());
+  result.collisions = {{1.25, "robot", "column"}};
+  EXPECT_EQ(first_run(result)["collisions"].dump(), R"([{"ids":["robot","column"],"time_s":1.25}])");
+}
+
 TEST(RunJsonTest, WritesNullForWhatWasNotMeasured) {
   RunResult result = testing::made_result();
   result.scores.reset();

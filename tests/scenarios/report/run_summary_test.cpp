@@ -60,6 +60,16 @@ TEST(RunSummaryTest, TellsWhyAKnownFailureFails) {
   EXPECT_NE(text.find("no gate missed that is not known"), std::string::npos);
 }
 
+TEST(RunSummaryTest, TellsWhoRanIntoWhom) {
+  std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("room", 3)};
+  EXPECT_EQ(run_summary(results).find("collisions"), std::string::npos);
+  results[1].collisions = {{1.25, "robot", "post"}, {2.5, "ann", "ben"}};
+  const std::string text = run_summary(results);
+  EXPECT_NE(text.find("\n  hall: collisions in 1 of 2 runs; at 1.25 s robot runs into post (seed 2)\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(RunSummaryTest, SurvivesRunsWithoutTruthAndNoRuns) {
   RunResult bare = result("hall", 1);
   bare.scores.reset();

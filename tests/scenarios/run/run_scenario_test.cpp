@@ -148,12 +148,26 @@ TEST(RunScenarioTest, FollowsWhereAskedOrNeeded) {
   OneCylinder first(5, true);
   EXPECT_FALSE(run_scenario(plain, first, {detector}, go_on).scores->cylinder);
   OneCylinder second(5, true);
-  const RunResult asked = run_scenario(plain, second, {detector, true}, go_on);
+  const RunResult asked = run_scenario(plain, second, {detector, {.track = true}}, go_on);
   ASSERT_TRUE(asked.scores->cylinder);
   EXPECT_EQ(asked.scores->cylinder->num_truths, 5);
   EXPECT_EQ(asked.scores->cylinder->num_matches, 4);  // one hit confirms nothing
   OneCylinder third(5, true);
   EXPECT_TRUE(run_scenario(needs, third, {detector}, go_on).met_its_gates());
+}
+
+TEST(RunScenarioTest, InterpretsWhereAScenarioExpectsSomethingOfTheScene) {
+  const Scenario scenario =
+      testing::parse("expect: [{column: {at_least: 1}, scans: some}, {bench: {at_most: 0}}]\n");
+  FeatureDetector detector{robust_options()};
+  OneCylinder sensor(5, true);
+  const auto go_on = [](const LaserScan&, const Features&) { return true; };
+  const RunResult result = run_scenario(scenario, sensor, {detector}, go_on);
+  ASSERT_EQ(result.expectations.size(), 2u);
+  for (const ExpectResult& expectation : result.expectations) {
+    EXPECT_EQ(expectation.num_scans, 5);
+    EXPECT_TRUE(expectation.met) << expectation.expectation.text();
+  }
 }
 
 }  // namespace

@@ -105,6 +105,22 @@ TEST_F(ScanConditionTest, CannotTellWhereThereIsNothingToMeasure) {
   EXPECT_FALSE(scenarios::holds(near, {scan_, features_, nullptr}, {}).has_value());
   const ScanCondition count{.kind = FeatureKind::kCircle, .at_most = 0};
   EXPECT_TRUE(scenarios::holds(count, {scan_, features_, nullptr}, {}).value());
+  EXPECT_FALSE(holds({.kind = SceneKind::kBench, .at_most = 0}).has_value()) << "nothing was interpreted";
+}
+
+TEST_F(ScanConditionTest, CountsAndPlacesObjectsOfTheScene) {
+  Scene scene;
+  scene.objects = {{.kind = SceneKind::kBench, .left_m = {2, 1}, .right_m = {2, 2}},
+                   {.kind = SceneKind::kColumn, .center_m = {5, 0}}};
+  truth_.objects = {column("cyl", 2.1, 1.5), column("far", 5, 0.3)};
+  const auto holds = [&](const ScanCondition& condition) {
+    return scenarios::holds(condition, {scan_, features_, &truth_, nullptr, &scene}, {}).value();
+  };
+  EXPECT_TRUE(holds({.kind = SceneKind::kBench, .at_least = 1, .at_most = 1}));
+  EXPECT_TRUE(holds({.kind = SceneKind::kBench, .near = NearObject{"cyl", 0.11}, .at_least = 1}));
+  EXPECT_FALSE(holds({.kind = SceneKind::kBench, .near = NearObject{"cyl", 0.09}, .at_least = 1}));
+  EXPECT_TRUE(holds({.kind = SceneKind::kColumn, .near = NearObject{"far", 0.31}, .at_least = 1}));
+  EXPECT_TRUE(holds({.kind = SceneKind::kDoor, .at_most = 0}));
 }
 
 }  // namespace

@@ -103,6 +103,27 @@ TEST(CheckPlacesTest, RefusesARobotOutsideTheWallsAroundEverythingElse) {
   EXPECT_EQ(error_of(world), expected);
 }
 
+// A map of a room with thick walls and a block in it: outlines have matter to their left.
+TEST(CheckPlacesTest, NobodyStartsInWhatAMapFills) {
+  const WallChain outer{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, true, true};
+  const WallChain room{{{1, 1}, {1, 9}, {9, 9}, {9, 1}}, true, true};
+  const WallChain block{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, true, true};
+  World world = world_of({solid("map.0", outer), solid("map.1", room), solid("map.2", block)});
+  const auto error_at = [&](const Vector2d& start_m) {
+    world.robot.X_WR = {start_m, 0.0};
+    return error_of(world);
+  };
+  EXPECT_EQ(error_at({0.5, 5}), "robot: start: is in what solid 'map.0' fills; allowed: in the free");
+  EXPECT_EQ(error_at({5, 5}), "robot: start: is in what solid 'map.2' fills; allowed: in the free");
+  EXPECT_EQ(error_at({2, 5}), "");
+  Walker walker;
+  walker.id = "anna";
+  walker.path.points_m = {{5, 5}, {2, 2}};
+  world.walkers = {walker};
+  EXPECT_EQ(error_at({2, 5}),
+            "walker 'anna': start of its path: is in what solid 'map.2' fills; allowed: in the free");
+}
+
 TEST(CheckPlacesTest, NobodyStartsInASolid) {
   World world = world_of({solid("a", kBox)});
   world.robot.X_WR.p_m = {3, 0};

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "sim/world/collision_watch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace scanbed::sim {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFar_m = 50.0;
+
+Walker walker(const std::string& id, double leg_radius_m) {
+  Walker made;
+  made.id = id;
+  made.leg_radius_m = leg_radius_m;
+  return made;
+}
+
+Solid solid(const std::string& id, const SolidShape& shape, double bottom_m = 0.0, double top_m = 2.5) {
+  return {.id = id, .label = "box", .shape = shape, .bottom_m = bottom_m, .top_m = top_m, .material = {}};
+}
+
+/// Robot of radius 0.22 m at the origin, two walkers far off.
+class CollisionWatchTest : public ::testing::Test {
+ protected:
+  CollisionWatchTest() {
+    world_.walkers = {walker("ann", 0.06), walker("ben", 0.05)};
+    state_.walkers.resize(2);
+    for (int i = 0; i < 2; ++i) {
+      state_.walkers[i].walker = i;
+      state_.walkers[i].present = true;
+      put_legs(i, {kFar_m, 10.0 * i}, {kFar_m, 10.0 * i + 0.3});
+    }
+  }
+
+  void put_legs(int walker, const Vector2d& left_m, const Vector2d& right_m) {
+    state_.walkers[walker].left_leg_m = left_m;
+    state_.walkers[walker].right_leg_m = right_m;
+  }
+
+  // What is found in the state alone.
+  std::vector<Collision> look() const {
+    CollisionWatch watch(world_);
+    watch.look(state_);
+    return watch.collisions();
+  }
+
+  World world_;
+  WorldState state_;
+};
+
+TEST_F(CollisionWatchTest, NothingMeetsInAnEmptyWorld) {
+  EXPECT_TRUE(look().empty());
+}
+
+TEST_F(CollisionWatchTest, TheRobotMeetsSolidsCloserThanItsRadius) {
+  const SolidShape shapes[] = {Cylinder{{0.5, 0}, 0.29}, Box{{{0.5, 0}, 0.0}, {0.58, 1}},
+                               Polygon{{{0.21, -1}, {1, -1}, {1, 1}, {0.21, 1}}},
+                               WallChain{{{0.21, -1}, {0.21, 1}}, false}};
+  for (const SolidShape& shape : shapes) {
+    world_.solids = {solid("thing", shape)};
+    state_.X_WR.p_m = {0, 0};
+    EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "robot", "thing"}}));
+    state_.X_WR.p_m = {-0.02, 0};
+    EXPECT_TRUE(look().empty());
+  }
+}
+
+TEST_F(CollisionWatchTest, TheRobotPassesBelowWhatHangsAboveItsLaser) {
+  world_.solids = {solid("seat", Box{{{0, 0}, 0.0}, {1, 1}}, 0.4, 0.5)};
+  EXPECT_TRUE(look().empty());
+  world_.solids[0].bottom_m = 0.2;
+  EXPECT_EQ(look().size(), 1u);
+}
+
+TEST_F(CollisionWatchTest, LegsMeetTheRobotSolidsAndEachOther) {
+  world_.solids = {solid("wall", WallChain{{{20, -9}, {20, 9}}, false})};
+  put_legs(0, {0.27, 0}, {20.05, 1});
+  put_legs(1, {20.0, 1.2}, {20.05, 1.1});
+  EXPECT_EQ(look(),
+            (std::vector<Collision>{
+                {0.0, "robot", "ann"}, {0.0, "ann", "wall"}, {0.0, "ann", "ben"}, {0.0, "ben", "wall"}}));
+}
+
+TEST_F(CollisionWatchTest, WhoIsAbsentMeetsNothing) {
+  put_legs(0, {0, 0}, {0, 0});
+  put_legs(1, {0, 0}, {0, 0});
+  state_.walkers[0].present = false;
+  EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "robot", "ben"}}));
+}
+
+TEST_F(CollisionWatchTest, OwnLegsMayTouch) {
+  put_legs(0, {5, 5}, {5, 5.05});
+  EXPECT_TRUE(look().empty());
+}
+
+TEST_F(CollisionWatchTest, TheRobotMeetsATowedCylinderButItsWalkerPushesIt) {
+  world_.walkers[1].tow = Tow{.id = "bin", .radius_m = 0.25};
+  state_.tows = {{1, true, {0.46, 0}}};
+  put_legs(1, {0.6, 0}, {0.7, 0});
+  EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "robot", "bin"}}));
+}
+
+TEST_F(CollisionWatchTest, PartingForLessThanASecondIsOneMeeting) {
+  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  CollisionWatch watch(world_);
+  const auto look_at = [&](double time_s, double x_m) {
+    state_.time_s = time_s;
+    state_.X_WR.p_m = {x_m, 0};
+    watch.look(state_);
+  };
+  look_at(0.0, 0.0);
+  look_at(1.0, 0.8);
+  look_at(1.9, 0.5);
+  look_at(1.99, 0.8);
+  look_at(3.5, 0.8);
+  EXPECT_EQ(watch.collisions(), (std::vector<Collision>{{1.0, "robot", "post"}, {3.5, "robot", "post"}}));
+}
+
+TEST_F(CollisionWatchTest, LooksAtMostTwentyTimesASecond) {
+  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  CollisionWatch watch(world_);
+  watch.look(state_);
+  state_.time_s = 0.04;
+  state_.X_WR.p_m = {0.8, 0};
+  watch.look(state_);
+  EXPECT_TRUE(watch.collisions().empty());
+  state_.time_s = 0.05;
+  watch.look(state_);
+  EXPECT_EQ(watch.collisions().size(), 1u);
+}
+
+}  // namespace
+}  // namespace scanbed::sim
