@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/sensor_fault.hpp"
 #include "sim/render/gl_context.hpp"
+#include "sim/spatial/appearance.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -38,6 +40,15 @@ void place_lamps(const ViewCamera& camera, const mjModel& model, mjvScene& scene
     for (int k = 0; k < 3; ++k) {
       light.pos[k] = static_cast<float>(model.stat.center[k] - distance_m * light.dir[k]);
     }
+  }
+}
+
+// Beyond the floor a plan shows what OpenGL left black, for the sky is farther than its far plane.
+void paint_nothing(std::span<const float> depth, std::uint8_t* rgb) {
+  static const Eigen::Array<std::uint8_t, 3, 1> sky =
+      (255.0 * kSkyColor).array().round().cast<std::uint8_t>();
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] >= 1.0F) std::copy(sky.begin(), sky.end(), rgb + 3 * i);
   }
 }
 
@@ -118,6 +129,7 @@ RenderedScene SceneRenderer::render(mjData& data, const ViewCamera& camera) {
     const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(height_px - 1 - row) * width_px;
     const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(row) * width_px;
     std::copy_n(rgb.begin() + 3 * from, 3 * width_px, result.image.rgb.begin() + 3 * to);
+    paint_nothing(std::span(depth).subspan(from, width_px), result.image.rgb.data() + 3 * to);
     std::transform(depth.begin() + from, depth.begin() + from + width_px, result.depth_m.begin() + to,
                    [=](float d) { return near_m * far_m / (far_m - d * (far_m - near_m)); });
   }

@@ -23,6 +23,7 @@ struct WalkerColors {
 /// By index in World::walkers; neighbours differ.
 WalkerColors walker_colors(int walker);
 
+inline const Rgb kSkyColor{0.93, 0.945, 0.96};
 inline const Rgb kSkinColor{0.87, 0.70, 0.58};
 inline const Rgb kShoeColor{0.17, 0.16, 0.16};
 inline const Rgb kTowColor{0.42, 0.56, 0.70};

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "sim/spatial/appearance.hpp"
 #include "sim/spatial/mjcf_actors.hpp"
 #include "sim/spatial/mjcf_element.hpp"
 #include "sim/spatial/mjcf_solids.hpp"
@@ -37,12 +38,13 @@ void add_look(pugi::xml_node root, const Eigen::AlignedBox3d& bounds) {
 }
 
 void add_assets(pugi::xml_node asset) {
+  const std::initializer_list<double> sky = {kSkyColor.x(), kSkyColor.y(), kSkyColor.z()};
   MjcfElement(asset, "texture")
       .set("name", "sky")
       .set("type", "skybox")
       .set("builtin", "flat")
-      .set("rgb1", {0.93, 0.945, 0.96})
-      .set("rgb2", {0.93, 0.945, 0.96})
+      .set("rgb1", sky)
+      .set("rgb2", sky)
       .set("width", {16})
       .set("height", {96});
   MjcfElement(asset, "texture")

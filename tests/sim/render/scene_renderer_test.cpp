@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/spatial/appearance.hpp"
 #include "sim/spatial/mjcf.hpp"
 #include "sim/spatial/mujoco_model.hpp"
 #include "sim/spatial/pose_actors.hpp"
@@ -83,6 +84,13 @@ TEST_F(SceneRendererTest, TheSceneIsBright) {
   const RenderedScene scene = renderer.render(*data_, oblique_);
   const Eigen::Vector3d floor = pixel(scene.image, oblique_.project({-4.5, 2.0, 0.0})->at_px);
   EXPECT_GT(floor.minCoeff(), 0.75);
+}
+
+TEST_F(SceneRendererTest, BeyondTheFloorAPlanShowsTheSky) {
+  const PictureSize wide{600, 200};
+  SceneRenderer renderer(*model_, wide);
+  const RenderedScene scene = renderer.render(*data_, plan_camera(world_bounds(world_), wide, {}));
+  EXPECT_LT((pixel(scene.image, {2.5, 100.5}) - kSkyColor).cwiseAbs().maxCoeff(), 1.0 / 255.0);
 }
 
 TEST_F(SceneRendererTest, SeveralRenderersTakeTurns) {
