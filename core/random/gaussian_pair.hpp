@@ -32,23 +32,27 @@ inline double minus_log_of_unit(std::uint32_t word) {
       s2 * (1.0 / 3 +
             s2 * (1.0 / 5 +
                   s2 * (1.0 / 7 +
-                        s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13 + s2 * (1.0 / 15 + s2 / 17)))))));
+                        s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13 + s2 * (1.0 / 15 + s2 * (1.0 / 17))))))));
   return -(exponent * kLn2 + 2.0 * s * series);
 }
 
 /// (cos, sin) of an angle within an eighth of a turn of 0.
 inline std::pair<double, double> cos_sin_near_zero(double angle_rad) {
   const double a2 = angle_rad * angle_rad;
+  // Taylor's series; of constants the compiler makes one factor each.
   const double cosine =
-      1.0 -
-      a2 / 2 *
-          (1.0 -
-           a2 / 12 *
-               (1.0 - a2 / 30 * (1.0 - a2 / 56 * (1.0 - a2 / 90 * (1.0 - a2 / 132 * (1.0 - a2 / 182))))));
+      1.0 +
+      a2 * (-1.0 / 2 +
+            a2 * (1.0 / 24 +
+                  a2 * (-1.0 / 720 +
+                        a2 * (1.0 / 40320 +
+                              a2 * (-1.0 / 3628800 + a2 * (1.0 / 479001600 - a2 * (1.0 / 87178291200.0)))))));
   const double sine =
       angle_rad *
-      (1.0 -
-       a2 / 6 * (1.0 - a2 / 20 * (1.0 - a2 / 42 * (1.0 - a2 / 72 * (1.0 - a2 / 110 * (1.0 - a2 / 156))))));
+      (1.0 +
+       a2 * (-1.0 / 6 +
+             a2 * (1.0 / 120 +
+                   a2 * (-1.0 / 5040 + a2 * (1.0 / 362880 + a2 * (-1.0 / 39916800 + a2 * (1.0 / 6227020800.0)))))));
   return {cosine, sine};
 }
 

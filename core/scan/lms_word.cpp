@@ -45,6 +45,19 @@ double decode_lms_word(std::uint16_t word, RangeUnit unit, int bits) {
   return kInvalid;
 }
 
+void round_to_lms_words(std::span<double> range_m, RangeUnit unit, int bits) {
+  const double per_metre = steps_per_metre(unit);
+  const double limit = lms_code(kLmsMaxSteps, bits) + 1.0;
+  // Without branches, so that compilers can treat several ranges at once.
+  for (double& range : range_m) {
+    const double steps = (range > 0.0 ? range : 0.0) * per_metre + 0.5;
+    const double fitting = steps < limit ? steps : 0.0;
+    const double held_m = static_cast<std::int32_t>(fitting) / per_metre;
+    const double in_reach_m = steps < limit ? held_m : kNoEcho;
+    range = range > kTooClose ? in_reach_m : kInvalid;  // NaN is greater than nothing
+  }
+}
+
 std::optional<LmsWordFormat> lms_word_format(std::uint8_t measuring_mode) {
   using Flags = LmsWordFormat::Flags;
   switch (measuring_mode) {

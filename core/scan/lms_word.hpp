@@ -46,6 +46,9 @@ std::uint16_t encode_lms_word(double range_m, RangeUnit unit, int bits = 13);
 /// @par Source  SICK, "Telegrams for Configuring and Operating the LMS 2xx", measured value overflow codes.
 double decode_lms_word(std::uint16_t word, RangeUnit unit, int bits = 13);
 
+/// Ranges to those that their words hold: decode_lms_word(encode_lms_word(r)) of each r, many at a time.
+void round_to_lms_words(std::span<double> range_m, RangeUnit unit, int bits = 13);
+
 /// What the 16 bits of a word hold: the range below, flags above it. Which of them depends on the sensor's
 /// measuring mode.
 struct LmsWordFormat {

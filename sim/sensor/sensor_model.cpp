@@ -46,6 +46,7 @@ void SensorModel::measure(const IdealReturns& returns, std::int64_t scan, std::v
     range_m[i] = reading_m(echoes_[i], right);
     if (i + 1 < num_beams) range_m[i + 1] = reading_m(echoes_[i + 1], left);
   }
+  if (!options_.exact_ranges) round_to_lms_words(range_m, options_.unit, options_.word_bits);
 }
 
 SensorModel::Echo SensorModel::axis_echo(const IdealReturns& returns, int beam) const {
@@ -113,14 +114,6 @@ bool SensorModel::is_dazzled(const Echo& echo, std::uint32_t word) const {
 }
 
 double SensorModel::reading_m(const Echo& echo, const Draws& draws) const {
-  const double range_m = reading_with_errors_m(echo, draws);
-  if (std::isnan(range_m) || options_.exact_ranges) return range_m > range_limit_m_ ? kNoEcho : range_m;
-  if (range_m > range_limit_m_) return kNoEcho;
-  return decode_lms_word(encode_lms_word(range_m, options_.unit, options_.word_bits), options_.unit,
-                         options_.word_bits);
-}
-
-double SensorModel::reading_with_errors_m(const Echo& echo, const Draws& draws) const {
   if (is_dazzled(echo, draws.dazzle)) return kInvalid;
   if (echo.material == nullptr) return kNoEcho;
   if (unit(draws.loss) < loss_probability(echo.range_m, echo.cos_incidence, *echo.material)) return kNoEcho;
@@ -129,6 +122,7 @@ double SensorModel::reading_with_errors_m(const Echo& echo, const Draws& draws) 
   if (options_.effects.noise != 0.0) {
     range_m += sigma_m(echo.range_m, echo.cos_incidence, *echo.material) * draws.gaussian;
   }
+  if (range_m > range_limit_m_) return kNoEcho;
   range_m = std::max(range_m, 0.0);
   return range_m < options_.min_range_m ? kInvalid : range_m;
 }

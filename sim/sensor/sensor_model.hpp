@@ -55,7 +55,6 @@ class SensorModel {
   void draw(std::int64_t scan, int beam, Draws& right, Draws& left) const;
   bool is_dazzled(const Echo& echo, std::uint32_t word) const;
   double reading_m(const Echo& echo, const Draws& draws) const;
-  double reading_with_errors_m(const Echo& echo, const Draws& draws) const;
   double strength(double range_m, double cos_incidence, const Material& material) const;
 
   SensorOptions options_;

@@ -12,6 +12,7 @@
 #include "core/score/visibility.hpp"
 #include "sim/engine/make_engine.hpp"
 #include "sim/planar/ray_caster.hpp"
+#include "sim/planar/sector_culler.hpp"
 #include "sim/planar/spot_caster.hpp"
 #include "sim/sensor/sensor_model.hpp"
 #include "sim/sensor/truth_maker.hpp"
@@ -125,7 +126,8 @@ struct SimulatedLms::Impl {
   ScanGeometry geometry;
   SensorModel model;
   std::vector<Piece> pieces;
-  std::vector<RayCaster> axes;    ///< one for each piece
+  std::vector<SectorCuller> cullers;  ///< one for each piece
+  std::vector<RayCaster> axes;        ///< likewise
   std::vector<SpotCaster> spots;  ///< likewise; none where beams are rays
   IdealReturns returns;
   TruthMaker truth_maker;
@@ -151,9 +153,11 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
   if (moves(world)) watch.emplace(world);
   if (follows_legs(world.robot)) pilot.emplace(world.robot, options);
   const bool has_spot = options.lms.spot_diameter_m(1.0) > 0.0;
+  const Spot spot = has_spot ? spot_of(options.lms) : Spot{};
   for (const Piece& piece : pieces) {
+    cullers.emplace_back(geometry, piece.beams, spot);
     axes.emplace_back(geometry, piece.beams);
-    if (has_spot) spots.emplace_back(geometry, piece.beams, spot_of(options.lms));
+    if (has_spot) spots.emplace_back(geometry, piece.beams, spot);
   }
   if (!has_spot) return;
   const auto num_beams = static_cast<std::size_t>(geometry.num_beams);
@@ -176,11 +180,12 @@ void SimulatedLms::Impl::begin(double time_s) {
 void SimulatedLms::Impl::cast_piece(std::size_t piece) {
   const PlanarSlice& slice = engine->slice();
   const Pose2 X_LS = engine->sensor_in_plane();
+  const PlanarSlice& in_sector = cullers[piece].cull(slice, X_LS);
   RayCaster& caster = axes[piece];
-  caster.cast(slice, X_LS);
+  caster.cast(in_sector, X_LS);
   truth_maker.add_piece(pieces[piece].beams, slice, X_LS);
   returns.take_axes(caster);
-  if (!spots.empty()) spots[piece].cast(slice, X_LS, caster, returns);
+  if (!spots.empty()) spots[piece].cast(in_sector, X_LS, caster, returns);
 }
 
 SimulatedLms::SimulatedLms(World world, const SimulationOptions& options)
