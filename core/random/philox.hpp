@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -13,22 +14,32 @@ namespace scanbed {
 using PhiloxCounter = std::array<std::uint32_t, 4>;
 using PhiloxKey = std::array<std::uint32_t, 2>;
 
-/// Philox4x32 with ten rounds: 128 random bits, a pure function of counter and key.
+/// Philox4x32 with ten rounds: 128 random bits, a pure function of counter and key. Of several counters at
+/// once, word by word: word w of lane's counter is counters[w][lane].
 ///
 /// @par Source  Salmon, Moraes, Dror & Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011,
 ///              section 4.3; multipliers and Weyl constants as published there.
-constexpr PhiloxCounter philox4x32_10(PhiloxCounter counter, PhiloxKey key) {
+template <std::size_t kLanes>
+constexpr void philox4x32_10(std::array<std::array<std::uint32_t, kLanes>, 4>& counters, PhiloxKey key) {
   for (int round = 0; round < 10; ++round) {
-    const std::uint64_t product_0 = std::uint64_t{0xD2511F53U} * counter[0];
-    const std::uint64_t product_2 = std::uint64_t{0xCD9E8D57U} * counter[2];
-    counter = {static_cast<std::uint32_t>(product_2 >> 32) ^ counter[1] ^ key[0],
-               static_cast<std::uint32_t>(product_2),
-               static_cast<std::uint32_t>(product_0 >> 32) ^ counter[3] ^ key[1],
-               static_cast<std::uint32_t>(product_0)};
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::uint64_t product_0 = std::uint64_t{0xD2511F53U} * counters[0][lane];
+      const std::uint64_t product_2 = std::uint64_t{0xCD9E8D57U} * counters[2][lane];
+      counters[0][lane] = static_cast<std::uint32_t>(product_2 >> 32) ^ counters[1][lane] ^ key[0];
+      counters[1][lane] = static_cast<std::uint32_t>(product_2);
+      counters[2][lane] = static_cast<std::uint32_t>(product_0 >> 32) ^ counters[3][lane] ^ key[1];
+      counters[3][lane] = static_cast<std::uint32_t>(product_0);
+    }
     key[0] += 0x9E3779B9U;
     key[1] += 0xBB67AE85U;
   }
-  return counter;
+}
+
+constexpr PhiloxCounter philox4x32_10(const PhiloxCounter& counter, PhiloxKey key) {
+  std::array<std::array<std::uint32_t, 1>, 4> one = {
+      {{counter[0]}, {counter[1]}, {counter[2]}, {counter[3]}}};
+  philox4x32_10(one, key);
+  return {one[0][0], one[1][0], one[2][0], one[3][0]};
 }
 
 /// Random numbers that one source of randomness ("lms.range_noise") draws for each beam of each scan: no
@@ -43,6 +54,19 @@ class RandomSource {
   constexpr PhiloxCounter bits(std::int64_t scan, int beam, std::uint32_t draw = 0) const {
     return philox4x32_10({static_cast<std::uint32_t>(beam), static_cast<std::uint32_t>(scan), name_, draw},
                          key_);
+  }
+
+  /// bits() of as many neighbouring beams: words[w][lane] is word w of beam first_beam + lane.
+  template <std::size_t kLanes>
+  void bits(std::int64_t scan, int first_beam,
+            std::array<std::array<std::uint32_t, kLanes>, 4>& words) const {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      words[0][lane] = static_cast<std::uint32_t>(first_beam) + static_cast<std::uint32_t>(lane);
+    }
+    words[1].fill(static_cast<std::uint32_t>(scan));
+    words[2].fill(name_);
+    words[3].fill(0);
+    philox4x32_10(words, key_);
   }
 
   /// Uniform in the open interval (0, 1), in steps of 2^-52.

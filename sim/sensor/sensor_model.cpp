@@ -2,6 +2,7 @@
 #include "sim/sensor/sensor_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double kSurelySeen = 1.0;   // strength of an echo
 constexpr double kSurelyLost = 0.25;  // likewise
+constexpr double kFar_m = 1e6;        // no laser reaches so far
+constexpr int kLanes = 8;             // pairs of beams whose random numbers are made at once
 
 /// Uniform in the open interval (0, 1).
 double unit(std::uint32_t word) {
@@ -35,17 +38,14 @@ SensorModel::SensorModel(const SensorOptions& options, std::uint64_t seed, std::
 
 void SensorModel::measure(const IdealReturns& returns, std::int64_t scan, std::vector<double>& range_m) {
   const int num_beams = static_cast<int>(returns.range_m.size());
+  scan_ = scan;
   range_m.resize(num_beams);
   echoes_.resize(num_beams);
   for (int i = 0; i < num_beams; ++i) echoes_[i] = axis_echo(returns, i);
   for (const SplitSpot& spot : returns.split_spots) echoes_[spot.beam] = spot_echo(returns, spot);
-  Draws right{};
-  Draws left{};
-  for (int i = 0; i < num_beams; i += 2) {
-    draw(scan, i, right, left);
-    range_m[i] = reading_m(echoes_[i], right);
-    if (i + 1 < num_beams) range_m[i + 1] = reading_m(echoes_[i + 1], left);
-  }
+  draw(num_beams);
+  make_waves();
+  for (int i = 0; i < num_beams; ++i) range_m[i] = reading_m(i);
   if (!options_.exact_ranges) round_to_lms_words(range_m, options_.unit, options_.word_bits);
 }
 
@@ -92,35 +92,63 @@ SensorModel::Echo SensorModel::spot_echo(const IdealReturns& returns, const Spli
   return brightest;
 }
 
-// One block of four words gives two beams their Gaussians and a word each for loss.
-void SensorModel::draw(std::int64_t scan, int beam, Draws& right, Draws& left) const {
+// Four words give two beams their Gaussians and a word each for loss.
+void SensorModel::draw(int num_beams) {
+  const int num_padded = (num_beams + 2 * kLanes - 1) / (2 * kLanes) * (2 * kLanes);
+  gaussian_.resize(num_padded);
+  loss_word_.resize(num_padded);
   const EffectScales& effects = options_.effects;
-  if (effects.noise == 0.0 && effects.dropout == 0.0 && effects.dazzle == 0.0) return;
-  const PhiloxCounter words = random_.bits(scan, beam / 2);
-  std::tie(right.gaussian, left.gaussian) = gaussian_pair(words[0], words[1]);
-  right.loss = words[2];
-  left.loss = words[3];
-  if (options_.effects.dazzle == 0.0 || (options_.dazzle.probability == 0.0 && !any_glass_)) return;
-  const PhiloxCounter more = random_.bits(scan, beam / 2, 1);
-  right.dazzle = more[0];
-  left.dazzle = more[1];
+  if (effects.noise == 0.0 && effects.dropout == 0.0) return;
+  for (int beam = 0; beam < num_beams; beam += 2 * kLanes) {
+    std::array<std::array<std::uint32_t, kLanes>, 4> words;
+    random_.bits(scan_, beam / 2, words);
+    std::array<double, kLanes> right{};
+    std::array<double, kLanes> left{};
+    for (int lane = 0; lane < kLanes; ++lane) {
+      std::tie(right[lane], left[lane]) = gaussian_pair(words[0][lane], words[1][lane]);
+    }
+    for (int lane = 0; lane < kLanes; ++lane) {
+      gaussian_[beam + 2 * lane] = right[lane];
+      gaussian_[beam + 2 * lane + 1] = left[lane];
+      loss_word_[beam + 2 * lane] = words[2][lane];
+      loss_word_[beam + 2 * lane + 1] = words[3][lane];
+    }
+  }
 }
 
-bool SensorModel::is_dazzled(const Echo& echo, std::uint32_t word) const {
-  if (options_.dazzle.probability == 0.0 && !any_glass_) return false;
+// The wave of the bias over range, of all beams at once.
+void SensorModel::make_waves() {
+  if (options_.effects.bias == 0.0 || options_.bias.cyclic_m == 0.0) return;
+  wave_.resize(echoes_.size());
+  for (std::size_t i = 0; i < echoes_.size(); ++i) {
+    const double range_m = echoes_[i].range_m < kFar_m ? echoes_[i].range_m : 0.0;
+    wave_[i] = sine_of_turns(range_m / options_.bias.cyclic_period_m);
+  }
+}
+
+// The next block of words has one for each of two beams.
+bool SensorModel::is_dazzled(const Echo& echo, int beam) const {
+  if (options_.effects.dazzle == 0.0 || (options_.dazzle.probability == 0.0 && !any_glass_)) return false;
+  const std::uint32_t word = random_.bits(scan_, beam / 2, 1)[beam % 2];
   const bool glints = echo.material != nullptr && echo.material->glass && echo.cos_incidence >= cos_glint_;
   const double probability = options_.effects.dazzle * (glints ? 1.0 : options_.dazzle.probability);
   return unit(word) < probability;
 }
 
-double SensorModel::reading_m(const Echo& echo, const Draws& draws) const {
-  if (is_dazzled(echo, draws.dazzle)) return kInvalid;
+double SensorModel::reading_m(int beam) const {
+  const Echo& echo = echoes_[beam];
+  if (is_dazzled(echo, beam)) return kInvalid;
   if (echo.material == nullptr) return kNoEcho;
-  if (unit(draws.loss) < loss_probability(echo.range_m, echo.cos_incidence, *echo.material)) return kNoEcho;
+  if (unit(loss_word_[beam]) < loss_probability(echo.range_m, echo.cos_incidence, *echo.material)) {
+    return kNoEcho;
+  }
   double range_m = echo.range_m;
-  if (options_.effects.bias != 0.0) range_m += bias_m(echo.range_m, echo.cos_incidence, *echo.material);
+  if (options_.effects.bias != 0.0) {
+    const double wave = wave_.empty() ? 0.0 : wave_[beam];
+    range_m += bias_of_wave_m(wave, echo.cos_incidence, *echo.material);
+  }
   if (options_.effects.noise != 0.0) {
-    range_m += sigma_m(echo.range_m, echo.cos_incidence, *echo.material) * draws.gaussian;
+    range_m += sigma_m(echo.range_m, echo.cos_incidence, *echo.material) * gaussian_[beam];
   }
   if (range_m > range_limit_m_) return kNoEcho;
   range_m = std::max(range_m, 0.0);
@@ -142,10 +170,15 @@ double SensorModel::sigma_m(double range_m, double cos_incidence, const Material
 }
 
 double SensorModel::bias_m(double range_m, double cos_incidence, const Material& material) const {
+  const double wave =
+      options_.bias.cyclic_m == 0.0 ? 0.0 : sine_of_turns(range_m / options_.bias.cyclic_period_m);
+  return bias_of_wave_m(wave, cos_incidence, material);
+}
+
+double SensorModel::bias_of_wave_m(double wave, double cos_incidence, const Material& material) const {
   const BiasOptions& bias = options_.bias;
-  double sum_m =
-      bias.offset_m + bias.dark_m * (1.0 - material.reflectivity) + bias.grazing_m * (1.0 - cos_incidence);
-  if (bias.cyclic_m != 0.0) sum_m += bias.cyclic_m * sine_of_turns(range_m / bias.cyclic_period_m);
+  const double sum_m = bias.offset_m + bias.dark_m * (1.0 - material.reflectivity) +
+                       bias.grazing_m * (1.0 - cos_incidence) + bias.cyclic_m * wave;
   return options_.effects.bias * sum_m;
 }
 

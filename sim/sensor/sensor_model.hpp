@@ -43,18 +43,13 @@ class SensorModel {
     double cos_incidence;
     const Material* material;  ///< nullptr: there is none
   };
-  /// Random words of one beam.
-  struct Draws {
-    double gaussian;
-    std::uint32_t loss;
-    std::uint32_t dazzle;
-  };
-
   Echo axis_echo(const IdealReturns& returns, int beam) const;
   Echo spot_echo(const IdealReturns& returns, const SplitSpot& spot);
-  void draw(std::int64_t scan, int beam, Draws& right, Draws& left) const;
-  bool is_dazzled(const Echo& echo, std::uint32_t word) const;
-  double reading_m(const Echo& echo, const Draws& draws) const;
+  void draw(int num_beams);
+  void make_waves();
+  bool is_dazzled(const Echo& echo, int beam) const;
+  double reading_m(int beam) const;
+  double bias_of_wave_m(double wave, double cos_incidence, const Material& material) const;
   double strength(double range_m, double cos_incidence, const Material& material) const;
 
   SensorOptions options_;
@@ -66,7 +61,12 @@ class SensorModel {
   double range_limit_m_;
   bool any_glass_;
   std::vector<SpotReturn> sorted_;  ///< scratch: a spot's rays by range
-  std::vector<Echo> echoes_;        ///< scratch: by beam
+  std::int64_t scan_ = 0;           ///< that is measured
+  // Scratch, by beam; the random numbers in whole blocks.
+  std::vector<Echo> echoes_;
+  std::vector<double> wave_;  ///< sine of the bias over range; empty where there is none
+  std::vector<double> gaussian_;
+  std::vector<std::uint32_t> loss_word_;
 };
 
 }  // namespace scanbed::sim

@@ -64,6 +64,16 @@ TEST(RandomSourceTest, UniformHasTheMomentsOfTheUnitInterval) {
               4.5 * std::sqrt((1.0 / 80 - 1.0 / 144) / kNumDraws));
 }
 
+TEST(RandomSourceTest, NeighboursTogetherAreThoseOneByOne) {
+  const RandomSource source(7, "noise");
+  std::array<std::array<std::uint32_t, 8>, 4> words;
+  source.bits(3, 100, words);
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    const PhiloxCounter alone = source.bits(3, 100 + static_cast<int>(lane));
+    for (std::size_t w = 0; w < 4; ++w) EXPECT_EQ(words[w][lane], alone[w]);
+  }
+}
+
 TEST(RandomSourceTest, GaussianHasTheMomentsOfTheNormalDistribution) {
   const RandomSource source(1, "gaussian");
   EXPECT_NEAR(mean([&](int s, int b) { return source.gaussian(s, b); }), 0.0, 4.5 * std::sqrt(1 / kNumDraws));

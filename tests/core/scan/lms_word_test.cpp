@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/scan/laser_scan.hpp"
 
@@ -81,6 +83,22 @@ RC_GTEST_PROP(LmsWordTest, IsWithinHalfAStepOfTheRange, ()) {
 }
 
 // SICK's overflow codes of the three widths: xFFF, xFFE and xFF7 with x = 1, 3 and 7.
+TEST(LmsWordTest, ManyRangesAreRoundedAsOneByOne) {
+  for (const RangeUnit unit : {RangeUnit::kMillimetre, RangeUnit::kCentimetre}) {
+    for (const int bits : {13, 14, 15}) {
+      std::vector<double> range_m = {kNoEcho, kTooClose, kInvalid, -1.0, -0.0, 0.0, 1e300};
+      for (int i = 0; i < 4000; ++i) range_m.push_back(0.0123456 * i);
+      const std::vector<double> given_m = range_m;
+      round_to_lms_words(range_m, unit, bits);
+      for (std::size_t i = 0; i < given_m.size(); ++i) {
+        const double expected_m = decode_lms_word(encode_lms_word(given_m[i], unit, bits), unit, bits);
+        const bool is_same = range_m[i] == expected_m || (std::isnan(range_m[i]) && std::isnan(expected_m));
+        EXPECT_TRUE(is_same) << given_m[i] << ": " << range_m[i] << ", not " << expected_m;
+      }
+    }
+  }
+}
+
 TEST(LmsWordTest, WiderWordsReachFartherAndKeepTheirCodes) {
   EXPECT_EQ(lms_max_range_m(kMm, 14), 16.374);
   EXPECT_EQ(lms_max_range_m(kMm, 15), 32.758);
