@@ -26,10 +26,10 @@ class SectorCuller {
   const PlanarSlice& cull(const PlanarSlice& slice, const Pose2& X_LS);
 
  private:
-  bool is_all_;                  ///< the sector is too wide for sides
-  Eigen::Vector2d right_, left_; ///< directions of the first and the last beam, sensor frame
+  bool is_all_;                   ///< the sector is too wide for sides
+  Eigen::Vector2d right_, left_;  ///< directions of the first and the last beam, sensor frame
   double half_spot_m_;
-  double spot_ratio_;            ///< by which half a spot grows with range, at most
+  double spot_ratio_;  ///< by which half a spot grows with range, at most
   PlanarSlice rest_;
 };
 

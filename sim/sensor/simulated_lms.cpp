@@ -128,7 +128,7 @@ struct SimulatedLms::Impl {
   std::vector<Piece> pieces;
   std::vector<SectorCuller> cullers;  ///< one for each piece
   std::vector<RayCaster> axes;        ///< likewise
-  std::vector<SpotCaster> spots;  ///< likewise; none where beams are rays
+  std::vector<SpotCaster> spots;      ///< likewise; none where beams are rays
   IdealReturns returns;
   TruthMaker truth_maker;
   VisibilityClassifier visibility;

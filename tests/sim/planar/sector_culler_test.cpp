@@ -71,12 +71,12 @@ RC_GTEST_PROP(SectorCullerTest, TheBeamsMeetTheSame, ()) {
 TEST(SectorCullerTest, LeavesOutWhatLiesToOneSide) {
   SectorCuller culler({}, {180, 1, 61}, kLmsSpot);
   PlanarSlice slice;
-  slice.segments = {{{1, -1}, {5, -1}, 0},    // to the right
-                    {{1, 4}, {-1, 4}, 1},     // to the left
-                    {{-2, -1}, {-2, 1}, 2},   // behind
-                    {{3, -1}, {3, 5}, 3},     // across
-                    {{4, -0.01}, {4, -3}, 4}, // in the first beam's spot
-                    {{1, -2}, {-1, 2}, 5}};   // through the sensor
+  slice.segments = {{{1, -1}, {5, -1}, 0},     // to the right
+                    {{1, 4}, {-1, 4}, 1},      // to the left
+                    {{-2, -1}, {-2, 1}, 2},    // behind
+                    {{3, -1}, {3, 5}, 3},      // across
+                    {{4, -0.01}, {4, -3}, 4},  // in the first beam's spot
+                    {{1, -2}, {-1, 2}, 5}};    // through the sensor
   slice.discs = {{{3, -0.5}, 0.3, 6}, {{3, -0.5}, 0.6, 7}, {{-1, -1}, 2.0, 8}};
   const PlanarSlice& rest = culler.cull(slice, {});
   std::vector<int> objects;
