@@ -13,6 +13,11 @@ constexpr double kStartSpeed_m_per_s = 0.7;  // standard deviation of what is no
 constexpr double kRadiusGate_m = 0.10;       // circles of so different a radius are not the same
 constexpr double kRadiusGain = 0.1;          // share of a new radius in the track's
 
+// Who is hidden may turn: by how much what moves may be off from going straight on.
+double hidden_way_m(const LiveTrack& track) {
+  return track.is_mobile ? track.point.v_m_per_s.norm() * track.hidden_s : 0.0;
+}
+
 }  // namespace
 
 void CylinderTracker::update(const TrackedScan& now, const std::vector<Circle>& circles,
@@ -30,6 +35,8 @@ void CylinderTracker::update(const TrackedScan& now, const std::vector<Circle>& 
   for (LiveTrack& track : tracks_) {
     if (track.feature == kNoFeature) {
       track.count_miss(now, track.radius_m, options);
+      // Of what has not been seen to move, a speed is noise: it is expected where it was.
+      if (!track.is_mobile) track.point.v_m_per_s.setZero();
       continue;
     }
     const Circle& circle = circles[track.feature];
@@ -49,7 +56,7 @@ void CylinderTracker::assign(const std::vector<Circle>& circles, const TrackOpti
     if (is_open_[row] == 0) continue;
     for (int column = 0; column < num_tracks; ++column) {
       const LiveTrack& track = tracks_[column];
-      const double gate_m = track.gate_m(options);
+      const double gate_m = track.gate_m(options) + hidden_way_m(track);
       const double off = (p_WC_m_[row] - track.point.p_m).squaredNorm() / (gate_m * gate_m);
       const double off_radius = (circles[row].radius_m - track.radius_m) / kRadiusGate_m;
       assignment_.allow(row, column, off + off_radius * off_radius);

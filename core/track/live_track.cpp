@@ -8,10 +8,9 @@ namespace scanbed {
 namespace {
 
 constexpr double kMaxLogOdds = 4.0;
-constexpr double kMissLogOdds = -1.5;      // of looking at an empty place
-constexpr double kMaxEmpty_s = 0.4;        // a place looked through so long has lost its track
-constexpr double kMaxOccupied_s = 1.0;     // likewise where something stands that is not recognised
-constexpr double kMaxUnconfirmed_s = 0.3;  // one hit alone is not remembered for long
+constexpr double kMissLogOdds = -1.5;   // of looking at an empty place
+constexpr double kMaxEmpty_s = 0.4;     // a place looked through so long has lost its track
+constexpr double kMaxOccupied_s = 1.0;  // likewise where something stands that is not recognised
 constexpr double kMinSettled_s = 0.7;
 constexpr double kMaxSettled_m = 0.08;
 
@@ -44,7 +43,7 @@ void LiveTrack::count_hit(double feature_log_odds, const TrackedScan& now, const
   ++num_hits;
   num_missed = 0;
   unseen_s = 0.0;
-  hidden_s = 0.0;
+  hidden_s = occupied_s = empty_s = 0.0;
   history.add(now.scan.time_s, point.p_m, options.displacement_window_s);
   if (history.net_displacement_m() >= options.mobile_distance_m) is_mobile = true;
 }
@@ -52,16 +51,16 @@ void LiveTrack::count_hit(double feature_log_odds, const TrackedScan& now, const
 void LiveTrack::count_miss(const TrackedScan& now, double size_m, const TrackOptions& options) {
   ++num_missed;
   const PlaceView view = view_of(now.scan, now.X_WS.inverse() * point.p_m, size_m);
-  if (view == PlaceView::kHidden) hidden_s += now.dt_s;
+  (view == PlaceView::kHidden ? hidden_s : view == PlaceView::kOccupied ? occupied_s : empty_s) += now.dt_s;
   if (view == PlaceView::kEmpty) {
     log_odds = options.evidence_keep_ratio * log_odds + (1.0 - options.evidence_keep_ratio) * kMissLogOdds;
   }
-  const double looked_for_s = unseen_s - hidden_s;
-  double allowed_s = view == PlaceView::kOccupied ? kMaxOccupied_s : kMaxEmpty_s;
-  if (!is_confirmed(options)) allowed_s = kMaxUnconfirmed_s;
-  const bool is_too_long = looked_for_s > allowed_s && num_missed > options.num_coasted_scans;
-  is_dead = is_too_long || hidden_s > options.max_hidden_s;
-  if (!is_confirmed(options) && num_missed > options.num_coasted_scans) is_dead = true;
+  // What stands where a cylinder stood is most likely still that cylinder.
+  const bool has_stood = kind == TrackKind::kCylinder && !is_mobile;
+  const double max_occupied_s = has_stood ? options.max_hidden_s : kMaxOccupied_s;
+  const bool is_gone = empty_s > kMaxEmpty_s || occupied_s > max_occupied_s;
+  is_dead = hidden_s > options.max_hidden_s ||
+            (num_missed > options.num_coasted_scans && (is_gone || !is_confirmed(options)));
 }
 
 bool LiveTrack::is_settled() const {

@@ -23,11 +23,13 @@ struct LiveTrack {
   MovingPoint point;
   PlaceHistory history;
   int num_hits = 0;
-  int num_missed = 0;     ///< scans in a row
-  double unseen_s = 0.0;  ///< since the last hit
-  double hidden_s = 0.0;  ///< of these: while something nearer hid it
-  double log_odds = 0.0;  ///< mean along the track
-  double radius_m = 0.0;  ///< of a cylinder
+  int num_missed = 0;       ///< scans in a row
+  double unseen_s = 0.0;    ///< since the last hit
+  double hidden_s = 0.0;    ///< of these: while something nearer hid it
+  double occupied_s = 0.0;  ///< while something stood there that was not recognised
+  double empty_s = 0.0;     ///< the rest
+  double log_odds = 0.0;    ///< mean along the track
+  double radius_m = 0.0;    ///< of a cylinder
   bool is_mobile = false;
   bool is_dead = false;
   int feature = kNoFeature;

@@ -98,6 +98,32 @@ TEST(LiveTrackTest, APlaceSeenThroughIsForgottenSoonAHiddenOneLater) {
   EXPECT_NEAR(hidden, 30, 2);  // max_hidden_s of 3 s
 }
 
+// A place of which something unknown is seen for most of the time, and now and then something nearer or
+// nothing: what stood there counts only against the time of what is seen.
+TEST(LiveTrackTest, EachViewOfAPlaceHasItsOwnPatience) {
+  const LaserScan hidden = hall(0.0, true);
+  const LaserScan empty = hall(0.0, false);
+  LaserScan occupied = empty;
+  for (double& range_m : occupied.range_m) range_m = 3.0;
+  const auto misses = [&](TrackKind kind, std::initializer_list<const LaserScan*> views) {
+    LiveTrack track = hit_twice({3.0, 0.0}, 0.0);
+    track.kind = kind;
+    int count = 0;
+    while (!track.is_dead && count < 1000) {
+      const LaserScan& scan = **(views.begin() + count % static_cast<int>(views.size()));
+      track.predict({scan, {}, kPeriod_s}, 0.1);
+      track.count_miss({scan, {}, kPeriod_s}, 0.25, {});
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_NEAR(misses(TrackKind::kLeg, {&occupied}), 10, 1);           // 1 s
+  EXPECT_NEAR(misses(TrackKind::kLeg, {&occupied, &hidden}), 20, 2);  // 1 s of 2 s
+  EXPECT_NEAR(misses(TrackKind::kCylinder, {&occupied}), 30, 1);      // as long as hidden
+  EXPECT_NEAR(misses(TrackKind::kCylinder, {&occupied, &hidden}), 60, 2);
+  EXPECT_NEAR(misses(TrackKind::kCylinder, {&empty, &hidden, &hidden}), 15, 3);  // 0.4 s of nothing
+}
+
 TEST(LiveTrackTest, OneHitAloneIsNotRemembered) {
   const LaserScan scan = hall(0.0, true);
   LiveTrack track;
