@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
@@ -27,11 +28,7 @@ class PointProjector {
   void project(const LaserScan& scan, Points& points);
 
  private:
-  void tabulate(const ScanGeometry& geometry, int num_beams);
-
-  ScanGeometry geometry_{.num_beams = 0};
-  std::vector<double> cos_;
-  std::vector<double> sin_;
+  BeamDirections directions_;
 };
 
 }  // namespace scanbed

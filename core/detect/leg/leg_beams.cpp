@@ -32,23 +32,10 @@ double LegBeams::distance_m(int a, int b) const {
   return std::hypot(echo_x_m[a] - echo_x_m[b], echo_y_m[a] - echo_y_m[b]);
 }
 
-void LegBeamReader::tabulate(const ScanGeometry& geometry, int num_beams) {
-  geometry_ = geometry;
-  cos_.resize(num_beams);
-  sin_.resize(num_beams);
-  for (int i = 0; i < num_beams; ++i) {
-    cos_[i] = std::cos(geometry.bearing_rad(i));
-    sin_[i] = std::sin(geometry.bearing_rad(i));
-  }
-}
-
 void LegBeamReader::read(const LaserScan& scan, LegBeams& beams) {
   const int num_beams = scan.num_beams();
   const ScanGeometry& g = scan.geometry;
-  if (static_cast<int>(cos_.size()) != num_beams || g.first_rad != geometry_.first_rad ||
-      g.step_rad != geometry_.step_rad) {
-    tabulate(g, num_beams);
-  }
+  directions_.follow(scan);
   beams.num_beams = num_beams;
   beams.step_rad = std::abs(g.step_rad) > kMinStep_rad ? std::abs(g.step_rad) : kMinStep_rad;
   const int padded = (num_beams + kBlock - 1) / kBlock * kBlock + kBlock;
@@ -64,8 +51,8 @@ void LegBeamReader::read(const LaserScan& scan, LegBeams& beams) {
   for (int i = 0; i < num_beams; ++i) {
     const double range_m = scan.range_m[i];
     if (!(range_m > 0.0) || !(range_m <= kMaxRange_m)) continue;
-    const double x_m = range_m * cos_[i];
-    const double y_m = range_m * sin_[i];
+    const double x_m = range_m * directions_.x(i);
+    const double y_m = range_m * directions_.y(i);
     if (!std::isfinite(x_m) || !std::isfinite(y_m)) continue;
     const double step_m = beams.beam.empty() ? 0.0 : range_m - beams.echo_range_m.back();
     beams.range_m[i] = static_cast<float>(range_m);

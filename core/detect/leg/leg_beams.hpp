@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
@@ -43,10 +44,7 @@ class LegBeamReader {
   void read(const LaserScan& scan, LegBeams& beams);
 
  private:
-  void tabulate(const ScanGeometry& geometry, int num_beams);
-
-  ScanGeometry geometry_;
-  std::vector<double> cos_, sin_;
+  BeamDirections directions_;
 };
 
 }  // namespace scanbed

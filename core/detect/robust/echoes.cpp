@@ -48,24 +48,9 @@ std::optional<double> NoiseHistogram::sigma_m() const {
   return median_m / 0.6745 / std::sqrt(20.0);
 }
 
-void EchoReader::tabulate(const ScanGeometry& geometry, int num_beams) {
-  geometry_ = geometry;
-  step_ = {std::cos(geometry.step_rad), std::sin(geometry.step_rad)};
-  cos_.resize(num_beams);
-  sin_.resize(num_beams);
-  for (int i = 0; i < num_beams; ++i) {
-    cos_[i] = std::cos(geometry.bearing_rad(i));
-    sin_[i] = std::sin(geometry.bearing_rad(i));
-  }
-}
-
 void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
   const int num_beams = scan.num_beams();
-  const ScanGeometry& g = scan.geometry;
-  if (static_cast<int>(cos_.size()) != num_beams || g.first_rad != geometry_.first_rad ||
-      g.step_rad != geometry_.step_rad) {
-    tabulate(g, num_beams);
-  }
+  directions_.follow(scan);
   echoes.beam.resize(num_beams);
   for (std::vector<double>* column : {&echoes.range_m, &echoes.ux, &echoes.uy, &echoes.x_m, &echoes.y_m}) {
     column->resize(num_beams);
@@ -76,18 +61,19 @@ void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echo
     // Overwritten by the next one where this is no echo; a range of 0 has no direction to fit anything to.
     echoes.beam[num_echoes] = i;
     echoes.range_m[num_echoes] = range_m;
-    echoes.ux[num_echoes] = cos_[i];
-    echoes.uy[num_echoes] = sin_[i];
-    echoes.x_m[num_echoes] = range_m * cos_[i];
-    echoes.y_m[num_echoes] = range_m * sin_[i];
+    echoes.ux[num_echoes] = directions_.x(i);
+    echoes.uy[num_echoes] = directions_.y(i);
+    echoes.x_m[num_echoes] = range_m * directions_.x(i);
+    echoes.y_m[num_echoes] = range_m * directions_.y(i);
     num_echoes += std::isfinite(range_m) && range_m > 0.0 ? 1 : 0;
   }
   echoes.beam.resize(num_echoes);
   for (std::vector<double>* column : {&echoes.range_m, &echoes.ux, &echoes.uy, &echoes.x_m, &echoes.y_m}) {
     column->resize(num_echoes);
   }
-  echoes.step_rad = std::abs(g.step_rad);
-  echoes.step = step_;
+  const double step_rad = scan.geometry.step_rad;
+  echoes.step_rad = std::abs(step_rad);
+  echoes.step = {std::cos(step_rad), std::sin(step_rad)};
   estimate_noise(options, echoes);
   spread_noise(echoes);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/robust/surface_options.hpp"
+#include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
@@ -54,11 +55,8 @@ class EchoReader {
  private:
   void estimate_noise(const SurfaceOptions& options, Echoes& echoes);
   void spread_noise(Echoes& echoes) const;
-  void tabulate(const ScanGeometry& geometry, int num_beams);
 
-  ScanGeometry geometry_;
-  std::vector<double> cos_, sin_;
-  Eigen::Vector2d step_ = Eigen::Vector2d::UnitX();
+  BeamDirections directions_;
   NoiseHistogram noise_;
 };
 
