@@ -8,6 +8,12 @@
 
 namespace scanbed {
 
+/// A scan with its echoes sorted by surface.
+struct SurfacedScan {
+  const LaserScan& scan;
+  const Echoes& echoes;
+};
+
 /// What the beams beyond an end of an arc meet.
 enum class ArcEndKind {
   kFree,      ///< the next beam passes by and sees farther
@@ -22,10 +28,9 @@ struct ArcEnd {
 
 /// Looks beyond the end of an arc; up to two beams there may have met both the arc and its background.
 ///
-/// @param place      of the end in `order`, which lists the surface's echoes in [surface.first,
-/// surface.last].
+/// @param surface    on which the arc lies.
+/// @param place      echo at the end.
 /// @param direction  -1 towards lower beams, 1 towards higher ones.
-ArcEnd arc_end_at(const LaserScan& scan, const Echoes& echoes, const std::vector<int>& order, Stretch surface,
-                  int place, int direction);
+ArcEnd arc_end_at(const SurfacedScan& scan, Stretch surface, int place, int direction);
 
 }  // namespace scanbed

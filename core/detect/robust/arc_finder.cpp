@@ -27,19 +27,43 @@ int Arc::num_echoes() const {
 void ArcFinder::begin(const SurfacedScan& scan, const DetectorOptions& options) {
   scan_.emplace(scan);
   options_ = &options;
-  moments_.begin(scan.echoes, scan.order);
+  moments_.begin(scan.echoes);
 }
 
 void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   contenders_.clear();
   const auto num_pieces = static_cast<int>(pieces.size());
+  int end_of_short = 0;  // the first piece from i on that is too long for an arc
   for (int i = 0; i < num_pieces; ++i) {
-    for (int j = last_piece_of_arc(pieces, i); j >= i; --j) {
-      if (is_part_of_contender(i, j)) continue;
-      Contender contender{i, j, {}};
-      if (try_pieces(surface, pieces, contender)) contenders_.push_back(contender);
-    }
+    end_of_short = std::max(end_of_short, i);
+    while (end_of_short < num_pieces && is_short(pieces[end_of_short])) ++end_of_short;
+    contend(surface, pieces, i, std::min(end_of_short, i + kMaxPiecesOfArc) - 1);
   }
+  if (!contenders_.empty()) take_best(pieces, arcs);
+}
+
+// No piece of an arc is longer than a cylinder is thick.
+bool ArcFinder::is_short(const LinePiece& piece) const {
+  const double thickest_m = 2.0 * options_->surface.max_radius_m;
+  return (point_m(piece.places.last) - point_m(piece.places.first)).squaredNorm() <= thickest_m * thickest_m;
+}
+
+// Tries the pieces from the first on as one arc: all up to the last, then one less, and so on.
+void ArcFinder::contend(Stretch surface, std::span<const LinePiece> pieces, int first_piece, int last_piece) {
+  double cost = 0.0;
+  for (int i = first_piece; i <= last_piece; ++i) cost += pieces[i].cost;
+  for (int i = last_piece; i >= first_piece; cost -= pieces[i--].cost) {
+    // What costs no more than the least arc is quickly seen, and so is all that is shorter.
+    if (cost <= options_->surface.arc_price) return;
+    if (is_part_of_contender(first_piece, i)) continue;
+    Arc arc;
+    arc.parts[0] = {pieces[first_piece].places.first, pieces[i].places.last};
+    if (try_places(surface, cost, arc)) contenders_.push_back({first_piece, i, arc});
+  }
+}
+
+// The best contenders become arcs, where they do not share pieces with better ones.
+void ArcFinder::take_best(std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   std::sort(contenders_.begin(), contenders_.end(),
             [](const Contender& a, const Contender& b) { return a.arc.gain > b.arc.gain; });
   for (const Contender& contender : contenders_) {
@@ -52,52 +76,44 @@ void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<A
   }
 }
 
-// An arc has few pieces, none of them longer than a cylinder is thick. @returns less than the first where
-// there is none.
-int ArcFinder::last_piece_of_arc(std::span<const LinePiece> pieces, int first_piece) const {
-  const double thickest_m = 2.0 * options_->surface.max_radius_m;
-  const int end = std::min(static_cast<int>(pieces.size()), first_piece + kMaxPiecesOfArc);
-  int j = first_piece;
-  while (j < end) {
-    const Stretch& places = pieces[j].places;
-    if ((point_m(places.last) - point_m(places.first)).squaredNorm() > thickest_m * thickest_m) break;
-    ++j;
-  }
-  return j - 1;
-}
-
 // What one arc explains as well as can be asked is not looked at piece by piece.
 bool ArcFinder::is_part_of_contender(int first_piece, int last_piece) const {
-  return std::any_of(contenders_.begin(), contenders_.end(), [&](const Contender& c) {
-    return c.first_piece <= first_piece && last_piece <= c.last_piece &&
-           c.arc.fit.chi2 <= kGoodChi2PerEcho * c.arc.num_echoes();
-  });
+  // In rising order of their first pieces: those that begin too early to reach this far are not looked at.
+  for (auto c = contenders_.rbegin(); c != contenders_.rend(); ++c) {
+    if (c->first_piece + kMaxPiecesOfArc <= first_piece) return false;
+    if (last_piece <= c->last_piece && c->arc.fit.chi2 <= kGoodChi2PerEcho * c->arc.num_echoes()) return true;
+  }
+  return false;
 }
 
-bool ArcFinder::try_pieces(Stretch surface, std::span<const LinePiece> pieces, Contender& contender) {
-  const Stretch places{pieces[contender.first_piece].places.first, pieces[contender.last_piece].places.last};
+bool ArcFinder::try_places(Stretch surface, double cost, Arc& arc) {
+  const Stretch places = arc.parts[0];
   if (places.size() < options_->circle.min_points || !bulges(places)) return false;
-  double cost = 0.0;
-  for (int i = contender.first_piece; i <= contender.last_piece; ++i) cost += pieces[i].cost;
-  contender.arc.parts[0] = places;
-  const double least =
-      ends_of(surface, contender.arc).price + moments_.chi2(surface, places) / kAlgebraicExcess;
-  return least < cost && settle(surface, cost, contender.arc);
+  const double most_chi2 = cost - ends_of(surface, arc).price;
+  if (most_chi2 <= 0.0) return false;
+  const auto algebraic = moments_.arc(places);
+  if (!algebraic || algebraic->chi2 >= kAlgebraicExcess * most_chi2) return false;
+  arc.fit.cylinder = algebraic->cylinder;
+  return settle(surface, cost, arc);
 }
 
 std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
   if (arc.num_echoes() < options_->circle.min_points) return std::nullopt;
   const Stretch both{before.first, after.last};
-  const double least = ends_of(both, arc).price + moments_.chi2_of_both(before, after) / kAlgebraicExcess;
-  if (least >= cost || !settle(both, cost, arc)) return std::nullopt;
+  const double most_chi2 = cost - ends_of(both, arc).price;
+  if (most_chi2 <= 0.0) return std::nullopt;
+  const auto algebraic = moments_.arc_of_both(before, after);
+  if (!algebraic || algebraic->chi2 >= kAlgebraicExcess * most_chi2) return std::nullopt;
+  arc.fit.cylinder = algebraic->cylinder;
+  if (!settle(both, cost, arc)) return std::nullopt;
   return arc;
 }
 
 // Fits an arc and says what it gains against what its echoes cost otherwise.
 bool ArcFinder::settle(Stretch surface, double cost, Arc& arc) {
   const int num_echoes = arc.num_echoes();
-  if (!fit_trimmed(surface, arc) || !is_plausible(arc)) return false;
+  if (!fit_trimmed(surface, cost, arc) || !is_plausible(arc)) return false;
   const Ends ends = ends_of(surface, arc);
   arc.price = ends.price;
   const int num_dropped = num_echoes - arc.num_echoes();
@@ -119,7 +135,7 @@ bool ArcFinder::bulges(Stretch places) const {
 
 bool ArcFinder::is_plausible(const Arc& arc) const {
   const SurfaceOptions& o = options_->surface;
-  return arc.fit.radius_m >= o.min_radius_m && arc.fit.radius_m <= o.max_radius_m &&
+  return arc.fit.cylinder.radius_m >= o.min_radius_m && arc.fit.cylinder.radius_m <= o.max_radius_m &&
          arc.fit.chi2 <= o.max_chi2(arc.num_echoes());
 }
 
@@ -127,7 +143,7 @@ ArcFinder::Ends ArcFinder::ends_of(Stretch surface, const Arc& arc) const {
   const SurfaceOptions& o = options_->surface;
   Ends ends{.witnesses = {}, .num_free = 0, .price = o.arc_price};
   const auto add = [&](int place, int direction) {
-    const ArcEnd end = arc_end_at(scan_->scan, echoes(), scan_->order, surface, place, direction);
+    const ArcEnd end = arc_end_at(*scan_, surface, place, direction);
     if (end.kind == ArcEndKind::kFree) ends.witnesses[ends.num_free++] = end.witness;
     if (end.kind == ArcEndKind::kHidden) ends.price += o.hidden_end_price;
     if (end.kind == ArcEndKind::kAttached) ends.price += o.attached_end_price;
@@ -137,28 +153,28 @@ ArcFinder::Ends ArcFinder::ends_of(Stretch surface, const Arc& arc) const {
   return ends;
 }
 
-// Mixed pixels at the ends go, round by round.
-bool ArcFinder::fit_trimmed(Stretch surface, Arc& arc) {
+// Mixed pixels at the ends go, round by round, while what they cost leaves something to gain.
+bool ArcFinder::fit_trimmed(Stretch surface, double cost, Arc& arc) const {
+  const SurfaceOptions& o = options_->surface;
   const int num_echoes = arc.num_echoes();
-  std::optional<ArcFit> fit;
   for (int round = 0; round < kMaxTrimRounds; ++round) {
-    members_.clear();
-    for (int part = 0; part < arc.num_parts; ++part) {
-      for (int i = arc.parts[part].first; i <= arc.parts[part].last; ++i) members_.push_back(scan_->order[i]);
-    }
     const Ends ends = ends_of(surface, arc);
-    fit = fit_arc(echoes(), members_, std::span(ends.witnesses).first(ends.num_free), fit);
+    const auto fit = fit_arc(echoes(), std::span(arc.parts).first(arc.num_parts),
+                             std::span(ends.witnesses).first(ends.num_free), arc.fit.cylinder);
     if (!fit) return false;
     arc.fit = *fit;
     if (round + 1 == kMaxTrimRounds || !drop_mixed_ends(arc)) break;
-    if (num_echoes - arc.num_echoes() > kMaxTrimmed * arc.num_parts) return false;
+    const int num_dropped = num_echoes - arc.num_echoes();
+    if (num_dropped > kMaxTrimmed * arc.num_parts || cost <= o.arc_price + o.clutter_price * num_dropped) {
+      return false;
+    }
   }
   return true;
 }
 
 bool ArcFinder::drop_mixed_ends(Arc& arc) const {
   const auto is_off = [&](int place) {
-    return std::abs(arc.fit.residual(echoes(), scan_->order[place])) > kTrimResidual;
+    return arc.fit.squared_residual(echoes(), place) > kTrimResidual * kTrimResidual;
   };
   const int before = arc.num_echoes();
   const int least = arc.num_parts == 1 ? options_->circle.min_points : kMinPartEchoes;
@@ -171,8 +187,8 @@ bool ArcFinder::drop_mixed_ends(Arc& arc) const {
 }
 
 double ArcFinder::arc_in_view_rad(const Arc& arc) const {
-  const Eigen::Vector2d a = point_m(arc.parts[0].first) - arc.fit.center_m;
-  const Eigen::Vector2d b = point_m(arc.last_part().last) - arc.fit.center_m;
+  const Eigen::Vector2d a = point_m(arc.parts[0].first) - arc.fit.cylinder.center_m;
+  const Eigen::Vector2d b = point_m(arc.last_part().last) - arc.fit.cylinder.center_m;
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
@@ -190,7 +206,7 @@ double ArcFinder::doubt_of(const Arc& arc, const Ends& ends) const {
 // average. An arc of sagitta s has a mean squared deviation of (4/45) s^2 from its line; k lines see sagittas
 // of s / k^2.
 double ArcFinder::expected_gain(const Arc& arc) const {
-  const double sagitta_m = arc.fit.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(arc)));
+  const double sagitta_m = arc.fit.cylinder.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(arc)));
   const double sigmas = sagitta_m / echoes().range_noise_m;
   const double as_line = 4.0 / 45.0 * sigmas * sigmas * arc.num_echoes();
   double least = std::numeric_limits<double>::infinity();

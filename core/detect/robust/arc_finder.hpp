@@ -19,21 +19,13 @@ namespace scanbed {
 struct Arc {
   std::array<Stretch, 2> parts;  ///< places that it keeps
   int num_parts = 1;
-  ArcFit fit;
+  ArcFit fit;  ///< a start for it, before it is made
   double price = 0.0;
   double doubt = 0.0;  ///< what it has to gain beyond 0 to be worth reporting
   double gain = 0.0;   ///< what it saves against lines
 
-  Stretch& last_part() { return parts[num_parts - 1]; }
   const Stretch& last_part() const { return parts[num_parts - 1]; }
   int num_echoes() const;
-};
-
-/// A scan with its echoes sorted by surface.
-struct SurfacedScan {
-  const LaserScan& scan;
-  const Echoes& echoes;
-  const std::vector<int>& order;  ///< SurfaceRuns::order
 };
 
 /// Looks for arcs that explain a surface at less cost than lines do.
@@ -65,26 +57,27 @@ class ArcFinder {
     double price = 0.0;
   };
 
-  int last_piece_of_arc(std::span<const LinePiece> pieces, int first_piece) const;
+  bool is_short(const LinePiece& piece) const;
+  void contend(Stretch surface, std::span<const LinePiece> pieces, int first_piece, int last_piece);
+  void take_best(std::span<LinePiece> pieces, std::vector<Arc>& arcs);
   bool is_part_of_contender(int first_piece, int last_piece) const;
-  bool try_pieces(Stretch surface, std::span<const LinePiece> pieces, Contender& contender);
+  bool try_places(Stretch surface, double cost, Arc& arc);
   bool settle(Stretch surface, double cost, Arc& arc);
   bool bulges(Stretch places) const;
   Ends ends_of(Stretch surface, const Arc& arc) const;
-  bool fit_trimmed(Stretch surface, Arc& arc);
+  bool fit_trimmed(Stretch surface, double cost, Arc& arc) const;
   bool drop_mixed_ends(Arc& arc) const;
   bool is_plausible(const Arc& arc) const;
   double arc_in_view_rad(const Arc& arc) const;
   double doubt_of(const Arc& arc, const Ends& ends) const;
   double expected_gain(const Arc& arc) const;
   const Echoes& echoes() const { return scan_->echoes; }
-  Eigen::Vector2d point_m(int place) const { return scan_->echoes.point_m(scan_->order[place]); }
+  Eigen::Vector2d point_m(int place) const { return scan_->echoes.point_m(place); }
 
   std::optional<SurfacedScan> scan_;
   const DetectorOptions* options_ = nullptr;
   ArcMoments moments_;
   std::vector<Contender> contenders_;
-  std::vector<int> members_;
 };
 
 }  // namespace scanbed

@@ -10,34 +10,15 @@ namespace {
 
 constexpr int kMaxSteps = 6;
 constexpr double kEnoughGain = 0.02;  // of chi squared in a step: less changes no decision
+// The weights move with the cylinder, so that at its least chi squared a step may lose this much.
+constexpr double kSlightLoss = 0.1;
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMaxRadius_m = 3.0;
-constexpr double kMinSlant = 0.6;
+constexpr double kMinSlant2 = 0.36;
 // A silhouette lies between two beams: where exactly is uncertain by about this share of their spacing.
 constexpr double kSilhouetteSpacings = 0.3;
 
-// Least squares on x^2 + y^2 + d x + e y + f = 0 (Kasa), about the echoes' own mean.
-std::optional<Eigen::Vector3d> algebraic_start(const Echoes& echoes, std::span<const int> members) {
-  Eigen::Vector2d mean_m = Eigen::Vector2d::Zero();
-  for (const int k : members) mean_m += echoes.point_m(k);
-  mean_m /= static_cast<double>(members.size());
-  double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, z = 0;
-  for (const int k : members) {
-    const Eigen::Vector2d p = echoes.point_m(k) - mean_m;
-    const double q = p.squaredNorm();
-    xx += p.x() * p.x();
-    xy += p.x() * p.y();
-    yy += p.y() * p.y();
-    xz += p.x() * q;
-    yz += p.y() * q;
-    z += q;
-  }
-  const double determinant = xx * yy - xy * xy;
-  if (determinant <= 1e-12 * (xx + yy) * (xx + yy)) return std::nullopt;
-  const Eigen::Vector2d c(0.5 * (yy * xz - xy * yz) / determinant, 0.5 * (xx * yz - xy * xz) / determinant);
-  const double radius_m = std::sqrt(c.squaredNorm() + z / static_cast<double>(members.size()));
-  return Eigen::Vector3d(c.x() + mean_m.x(), c.y() + mean_m.y(), radius_m);
-}
+using Lanes = Eigen::Array2d;  // two echoes at a time
 
 struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -51,40 +32,67 @@ struct NormalEquations {
   }
 };
 
-// Squared: of the sigma across the surface to that along the beam.
-double slant2_of(double beside_m, double radius_m) {
-  const double sine = beside_m / radius_m;
-  return std::max(kMinSlant * kMinSlant, 1.0 - sine * sine);
+/// The normal equations of the echoes; what the matrix would hold twice is added once.
+struct EchoTerms {
+  Lanes xx = Lanes::Zero(), xy = Lanes::Zero(), yy = Lanes::Zero(), x = Lanes::Zero(), y = Lanes::Zero();
+  Lanes w = Lanes::Zero(), xe = Lanes::Zero(), ye = Lanes::Zero(), e = Lanes::Zero(), ee = Lanes::Zero();
+
+  void add(const Eigen::Vector3d& arc, const Lanes& x_m, const Lanes& y_m, const Lanes& weight_per_m2) {
+    const Lanes dx_m = arc.x() - x_m;
+    const Lanes dy_m = arc.y() - y_m;
+    const Lanes distance_m = (dx_m * dx_m + dy_m * dy_m).sqrt().max(1e-9);
+    // Both times the squared range: of the radius, and of what is left of it beside the beam's distance from
+    // the centre. Their quotient is the squared sigma across the surface to that along the beam.
+    const Lanes radius2 = (x_m * x_m + y_m * y_m) * (arc.z() * arc.z());
+    const Lanes beside = arc.x() * y_m - arc.y() * x_m;
+    const Lanes facing2 = (radius2 - beside * beside).max(kMinSlant2 * radius2);
+    const Lanes inverse = 1.0 / (distance_m * facing2);
+    const Lanes nx = dx_m * (facing2 * inverse);
+    const Lanes ny = dy_m * (facing2 * inverse);
+    const Lanes weight = weight_per_m2 * radius2 * (distance_m * inverse);
+    const Lanes error_m = distance_m - arc.z();
+    const Lanes wx = weight * nx;
+    const Lanes wy = weight * ny;
+    const Lanes we = weight * error_m;
+    xx += wx * nx;
+    xy += wx * ny;
+    yy += wy * ny;
+    x += wx;
+    y += wy;
+    w += weight;
+    xe += wx * error_m;
+    ye += wy * error_m;
+    e += we;
+    ee += we * error_m;
+  }
+
+  NormalEquations sum() const {
+    NormalEquations equations;
+    equations.information << xx.sum(), xy.sum(), -x.sum(), xy.sum(), yy.sum(), -y.sum(), -x.sum(), -y.sum(),
+        w.sum();
+    equations.gradient << xe.sum(), ye.sum(), -e.sum();
+    equations.chi2 = ee.sum();
+    return equations;
+  }
+};
+
+EchoTerms terms_of(const Echoes& echoes, std::span<const Stretch> parts, const Eigen::Vector3d& arc) {
+  EchoTerms terms;
+  for (const Stretch& part : parts) {
+    int k = part.first;
+    for (; k < part.last; k += 2) {
+      terms.add(arc, Eigen::Map<const Lanes>(&echoes.x_m[k]), Eigen::Map<const Lanes>(&echoes.y_m[k]),
+                Eigen::Map<const Lanes>(&echoes.weight_per_m2[k]));
+    }
+    if (k > part.last) continue;
+    terms.add(arc, Lanes::Constant(echoes.x_m[k]), Lanes::Constant(echoes.y_m[k]),
+              Lanes(echoes.weight_per_m2[k], 0.0));
+  }
+  return terms;
 }
 
-NormalEquations linearize(const Echoes& echoes, std::span<const int> members,
-                          std::span<const Witness> witnesses, const Eigen::Vector3d& arc) {
-  NormalEquations sum;
-  // The cylinder as a vector of sums: what a matrix would hold twice is added once.
-  double xx = 0, xy = 0, yy = 0, x = 0, y = 0, w = 0, xe = 0, ye = 0, e = 0, ee = 0;
-  for (const int k : members) {
-    const double dx_m = echoes.x_m[k] - arc.x();
-    const double dy_m = echoes.y_m[k] - arc.y();
-    const double distance_m = std::max(1e-9, std::sqrt(dx_m * dx_m + dy_m * dy_m));
-    const double slant2 = slant2_of(arc.x() * echoes.uy[k] - arc.y() * echoes.ux[k], arc.z());
-    const double weight = 1.0 / (echoes.sigma_m[k] * echoes.sigma_m[k] * slant2);
-    const double nx = -dx_m / distance_m;
-    const double ny = -dy_m / distance_m;
-    const double error_m = distance_m - arc.z();
-    xx += weight * nx * nx;
-    xy += weight * nx * ny;
-    yy += weight * ny * ny;
-    x += weight * nx;
-    y += weight * ny;
-    w += weight;
-    xe += weight * nx * error_m;
-    ye += weight * ny * error_m;
-    e += weight * error_m;
-    ee += weight * error_m * error_m;
-  }
-  sum.information << xx, xy, -x, xy, yy, -y, -x, -y, w;
-  sum.gradient << xe, ye, -e;
-  sum.chi2 = ee;
+void add_silhouette(const Echoes& echoes, std::span<const Witness> witnesses, const Eigen::Vector3d& arc,
+                    NormalEquations& sum) {
   const double spacing_m = arc.head<2>().norm() * echoes.step_rad;
   const double weight = 1.0 / (kSilhouetteSpacings * spacing_m + 0.5 * echoes.range_noise_m);
   for (const Witness& witness : witnesses) {
@@ -94,7 +102,21 @@ NormalEquations linearize(const Echoes& echoes, std::span<const int> members,
     if (overlap_m <= 0.0) continue;
     sum.add(overlap_m * weight, weight * Eigen::Vector3d(sign * witness.uy, -sign * witness.ux, 1.0));
   }
+}
+
+NormalEquations linearize(const Echoes& echoes, std::span<const Stretch> parts,
+                          std::span<const Witness> witnesses, const Eigen::Vector3d& arc) {
+  NormalEquations sum = terms_of(echoes, parts, arc).sum();
+  if (!witnesses.empty()) add_silhouette(echoes, witnesses, arc, sum);
   return sum;
+}
+
+Eigen::Vector3d step_of(const NormalEquations& equations, double damping) {
+  Eigen::Matrix3d damped = equations.information;
+  // The same for x and y, so that a turned scan takes turned steps.
+  const double place_information = 0.5 * (damped(0, 0) + damped(1, 1));
+  damped.diagonal() += damping * Eigen::Vector3d(place_information, place_information, damped(2, 2));
+  return -(damped.inverse() * equations.gradient);
 }
 
 bool is_plausible(const Eigen::Vector3d& arc) {
@@ -102,53 +124,54 @@ bool is_plausible(const Eigen::Vector3d& arc) {
          arc.head<2>().norm() > arc.z();
 }
 
-}  // namespace
-
-double ArcFit::residual(const Echoes& echoes, int k) const {
-  const double slant2 = slant2_of(center_m.x() * echoes.uy[k] - center_m.y() * echoes.ux[k], radius_m);
-  return ((echoes.point_m(k) - center_m).norm() - radius_m) / (echoes.sigma_m[k] * std::sqrt(slant2));
+// The echoes must lie on the side that faces the sensor.
+bool faces_sensor(const Echoes& echoes, std::span<const Stretch> parts, const Eigen::Vector3d& arc) {
+  int num_before = 0;
+  for (const Stretch& part : parts) num_before += part.size();
+  num_before /= 2;
+  int middle = parts[0].first + num_before;
+  if (middle > parts[0].last) middle = parts[1].first + num_before - parts[0].size();
+  return (echoes.point_m(middle) - arc.head<2>()).dot(arc.head<2>()) < 0.0;
 }
 
-std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members,
-                              std::span<const Witness> witnesses, const std::optional<ArcFit>& start) {
-  if (members.size() < 3) return std::nullopt;
-  std::optional<Eigen::Vector3d> begin;
-  if (start) {
-    begin.emplace(start->center_m.x(), start->center_m.y(), start->radius_m);
-  } else {
-    begin = algebraic_start(echoes, members);
-  }
-  if (!begin) return std::nullopt;
-  Eigen::Vector3d arc = *begin;
-  arc.z() = std::clamp(arc.z(), 2.0 * kMinRadius_m, 0.9 * kMaxRadius_m);
-  NormalEquations equations = linearize(echoes, members, witnesses, arc);
+}  // namespace
+
+double ArcFit::squared_residual(const Echoes& echoes, int k) const {
+  const Eigen::Vector2d p_m = echoes.point_m(k);
+  const auto& [center_m, radius_m] = cylinder;
+  const double error_m = (p_m - center_m).norm() - radius_m;
+  const double radius2 = p_m.squaredNorm() * radius_m * radius_m;
+  const double beside = center_m.x() * p_m.y() - center_m.y() * p_m.x();
+  const double facing2 = std::max(kMinSlant2 * radius2, radius2 - beside * beside);
+  return error_m * error_m * echoes.weight_per_m2[k] * radius2 / facing2;
+}
+
+std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> parts,
+                              std::span<const Witness> witnesses, const Cylinder& start) {
+  Eigen::Vector3d arc(start.center_m.x(), start.center_m.y(),
+                      std::clamp(start.radius_m, 2.0 * kMinRadius_m, 0.9 * kMaxRadius_m));
+  NormalEquations equations = linearize(echoes, parts, witnesses, arc);
   double damping = 1e-3;
   for (int step = 0; step < kMaxSteps; ++step) {
-    Eigen::Matrix3d damped = equations.information;
-    // The same for x and y, so that a turned scan takes turned steps.
-    const double place_information = 0.5 * (damped(0, 0) + damped(1, 1));
-    damped.diagonal() += damping * Eigen::Vector3d(place_information, place_information, damped(2, 2));
-    const Eigen::Vector3d candidate = arc - damped.inverse() * equations.gradient;
+    const Eigen::Vector3d candidate = arc + step_of(equations, damping);
     if (!candidate.allFinite() || candidate.z() <= kMinRadius_m / 2) {
       damping *= 10.0;
       continue;
     }
-    const NormalEquations next = linearize(echoes, members, witnesses, candidate);
-    if (next.chi2 > equations.chi2) {
+    const NormalEquations next = linearize(echoes, parts, witnesses, candidate);
+    const double gain = equations.chi2 - next.chi2;
+    if (!(gain >= 0.0)) {
+      if (gain > -kSlightLoss) break;
       damping *= 10.0;
       continue;
     }
-    const double gain = equations.chi2 - next.chi2;
     arc = candidate;
     equations = next;
     damping *= 0.2;
     if (gain < kEnoughGain) break;
   }
-  if (!is_plausible(arc)) return std::nullopt;
-  // The echoes must lie on the side that faces the sensor.
-  const Eigen::Vector2d to_middle_m = echoes.point_m(members[members.size() / 2]) - arc.head<2>();
-  if (to_middle_m.dot(arc.head<2>()) >= 0.0) return std::nullopt;
-  return ArcFit{arc.head<2>(), arc.z(), equations.chi2, equations.information.inverse()};
+  if (!is_plausible(arc) || !faces_sensor(echoes, parts, arc)) return std::nullopt;
+  return ArcFit{{arc.head<2>(), arc.z()}, equations.chi2, equations.information};
 }
 
 }  // namespace scanbed

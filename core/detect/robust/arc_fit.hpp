@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/detect/robust/echoes.hpp"
+#include "core/detect/robust/surface_runs.hpp"
 
 namespace scanbed {
 
@@ -15,26 +16,30 @@ struct Witness {
   double uy = 0.0;
 };
 
-/// A cylinder fitted to the echoes on its front.
-struct ArcFit {
+struct Cylinder {
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   double radius_m = 0.0;
-  double chi2 = 0.0;                                     ///< of the echoes and of the witnesses
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, radius), m2
-
-  /// Range residual of an echo in units of its sigma. Range noise counts less where the surface turns away.
-  double residual(const Echoes& echoes, int k) const;
 };
 
-/// Fits a cylinder to echoes, by damped Gauss-Newton on geometric distances from an algebraic (Kasa) start.
+/// A cylinder fitted to the echoes on its front.
+struct ArcFit {
+  Cylinder cylinder;
+  double chi2 = 0.0;                                      ///< of the echoes and of the witnesses
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< inverse covariance of (x, y, radius), 1/m2
+
+  /// Squared range residual of an echo in units of its variance. Range noise counts less where the surface
+  /// turns away.
+  double squared_residual(const Echoes& echoes, int k) const;
+};
+
+/// Fits a cylinder to echoes, by damped Gauss-Newton on geometric distances.
 ///
 /// A few noisy beams leave the radius open; what fixes it is the silhouette: the witnesses must miss the
 /// cylinder.
-/// @param members  indices into echoes, at least 3.
-/// @param start    where to begin in place of the algebraic fit: a fit of nearly the same echoes.
+/// @param parts  stretches of echoes, at least 3 echoes in all.
+/// @param start  a fit of nearly the same echoes, or by simpler means.
 /// @returns empty where no cylinder in front of which the echoes lie can be fitted.
-std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const int> members,
-                              std::span<const Witness> witnesses,
-                              const std::optional<ArcFit>& start = std::nullopt);
+std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> parts,
+                              std::span<const Witness> witnesses, const Cylinder& start);
 
 }  // namespace scanbed

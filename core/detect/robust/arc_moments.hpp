@@ -1,41 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "core/detect/robust/arc_fit.hpp"
 #include "core/detect/robust/echoes.hpp"
 #include "core/detect/robust/surface_runs.hpp"
 
 namespace scanbed {
 
-/// Sums from which the chi squared of a circle through stretches of surfaces follows in constant time: quick
-/// to say what is no arc. Surfaces are summed when they are first asked for.
+/// The circle that fits echoes best in algebraic distance (Kasa).
+struct AlgebraicArc {
+  Cylinder cylinder;
+  /// Of the ranges. Off the least in geometric distance by a factor of a few at most.
+  double chi2 = 0.0;
+};
+
+/// Sums from which the algebraic circle through stretches of echoes follows in constant time: quick to say
+/// what is no arc, and where to begin to fit one. Echoes are summed when they are first asked for.
 class ArcMoments {
  public:
-  /// Begins a scan; the arguments live as long as chi2 is asked.
-  void begin(const Echoes& echoes, const std::vector<int>& order);
+  /// Begins a scan; the echoes live as long as arcs are asked for.
+  void begin(const Echoes& echoes);
 
-  /// Chi squared of range of the circle that fits the stretch best in algebraic distance.
-  ///
-  /// Off the least in geometric distance by a factor of a few at most; infinite where the points lie on a
-  /// line or on a hollow as the sensor sees it.
-  /// @pre  places lie within the surface.
-  double chi2(Stretch surface, Stretch places);
+  /// Empty where the echoes lie on a line or on a hollow as the sensor sees it. Quick where stretches are
+  /// asked for in rising order of their first echo, the longest first.
+  std::optional<AlgebraicArc> arc(Stretch places);
 
-  /// The same of one circle through two whole surfaces.
-  double chi2_of_both(Stretch a, Stretch b);
+  /// The same of one circle through two stretches.
+  std::optional<AlgebraicArc> arc_of_both(Stretch a, Stretch b) const;
 
  private:
   struct Sums {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;  // z = x^2 + y^2
   };
-  static double chi2_of(const Sums& sums);
-  void sum_up(Stretch surface);
+  static std::optional<AlgebraicArc> solve(const Sums& sums);
+  static Sums difference(const Sums& a, const Sums& b);
+  Sums plus(Sums sums, int place) const;
+  void sum_up(Stretch places);
 
   const Echoes* echoes_ = nullptr;
-  const std::vector<int>* order_ = nullptr;
-  std::vector<Sums> sums_;       ///< at each place: from the first of its surface to it
-  std::vector<char> is_summed_;  ///< at the first place of each surface
+  std::vector<Sums> sums_;  ///< at each place that is summed: over the first of them to it
+  Stretch summed_{0, -1};
 };
 
 }  // namespace scanbed

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/detect/robust/surface_options.hpp"
@@ -12,37 +14,45 @@
 
 namespace scanbed {
 
-/// The echoes of a scan with their directions and errors, in the order of their beams; sensor frame S.
+/// The echoes of a scan with their errors, sensor frame S: in the order of their beams as they are read, then
+/// surface by surface (SurfaceSplitter).
 struct Echoes {
   std::vector<int> beam;
   std::vector<double> range_m;
-  std::vector<double> ux, uy;                       ///< unit direction of the beam
-  std::vector<double> x_m, y_m;                     ///< the point
-  std::vector<double> sigma_m;                      ///< standard deviation of the range
-  double step_rad = 0.0;                            ///< between neighbouring beams, positive
-  Eigen::Vector2d step = Eigen::Vector2d::UnitX();  ///< (cos, sin) of the signed step
-  double range_noise_m = 0.0;                       ///< sigma of a range on a plain surface
+  std::vector<double> x_m, y_m;       ///< the point
+  std::vector<double> weight_per_m2;  ///< 1 / variance of the range
+  BeamDirections directions;          ///< of all beams of the scan
+  double step_rad = 0.0;              ///< between neighbouring beams, positive
+  double range_noise_m = 0.0;         ///< sigma of a range on a plain surface
 
   int size() const { return static_cast<int>(beam.size()); }
   Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }
+  double sigma_m(int k) const { return 1.0 / std::sqrt(weight_per_m2[k]); }  ///< of the range
 };
 
 /// Median of third differences of range, by counting.
 class NoiseHistogram {
  public:
-  void clear();
-  void add(double difference_m);
-
-  /// Sigma of the ranges whose differences were added; empty where they are too few to tell.
-  std::optional<double> sigma_m() const;
+  /// Sigma of the ranges of neighbouring beams, from their smooth runs; empty where those are too few to
+  /// tell.
+  std::optional<double> sigma_m(std::span<const double> range_m);
 
  private:
   static constexpr int kNumBins = 512;
-  std::array<int, kNumBins> counts_{};
+  static constexpr int kNoBin = kNumBins;  ///< of what is no noise
+
+  void sort_into_bins(std::span<const double> range_m);
+  void count();
+  double median_m() const;
+
+  using Counts = std::array<int, kNumBins + 1>;
+  // Neighbours often share their bin; in two tables one count need not wait for the other.
+  std::array<Counts, 2> counts_{};
+  std::vector<int> bins_;
   int num_counted_ = 0;
 };
 
-/// Fills `echoes` from a scan: directions, the scan's own range noise, and the error of each range.
+/// Fills `echoes` from a scan: points, the scan's own range noise, and the error of each range.
 ///
 /// Range noise is estimated from third differences of range along smooth runs. At grazing incidence a small
 /// error of direction is a large error of range: sigma grows with the step to the neighbours where both point
@@ -53,11 +63,10 @@ class EchoReader {
   void read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes);
 
  private:
-  void estimate_noise(const SurfaceOptions& options, Echoes& echoes);
-  void spread_noise(Echoes& echoes) const;
+  void weigh(Echoes& echoes);
 
-  BeamDirections directions_;
   NoiseHistogram noise_;
+  std::vector<double> grazing_step_m_;
 };
 
 }  // namespace scanbed

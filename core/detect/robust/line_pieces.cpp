@@ -7,12 +7,13 @@
 
 namespace scanbed {
 
-void LineSplitter::split(const Echoes& echoes, const std::vector<int>& order, const RayLineSums& sums,
-                         Stretch surface, const SurfaceOptions& options, std::vector<LinePiece>& pieces) {
+void LineSplitter::begin(const Echoes& echoes, const RayLineSums& sums, const SurfaceOptions& options) {
   echoes_ = &echoes;
-  order_ = &order;
   sums_ = &sums;
   options_ = &options;
+}
+
+void LineSplitter::split(Stretch surface, std::vector<LinePiece>& pieces) {
   const std::size_t first_piece = pieces.size();
   split_down(surface, pieces);
   merge_up(first_piece, pieces);
@@ -21,7 +22,7 @@ void LineSplitter::split(const Echoes& echoes, const std::vector<int>& order, co
 LinePiece LineSplitter::piece_of(Stretch places) const {
   const double as_clutter = options_->clutter_price * places.size();
   if (places.size() < 2) return {places, {}, as_clutter};
-  const RayLine line = sums_->fit(places.first, places.last);
+  const RayLine line = sums_->fit(places);
   return {places, line, std::min(as_clutter, options_->line_price + line.chi2)};
 }
 
@@ -44,54 +45,76 @@ void LineSplitter::split_down(Stretch surface, std::vector<LinePiece>& pieces) {
 
 // The last place of the first of two pieces; the search starts at the point farthest from the chord.
 int LineSplitter::best_split(Stretch places) const {
-  const Eigen::Vector2d from_m = echoes_->point_m((*order_)[places.first]);
-  const Eigen::Vector2d along_m = echoes_->point_m((*order_)[places.last]) - from_m;
-  int split = places.first;
-  double farthest = -1.0;
+  return climb_to_best_split(places, std::clamp(farthest_from_chord(places), places.first, places.last - 1));
+}
+
+int LineSplitter::farthest_from_chord(Stretch places) const {
+  const Eigen::Vector2d from_m = echoes_->point_m(places.first);
+  const Eigen::Vector2d along_m = echoes_->point_m(places.last) - from_m;
+  const double* const x_m = echoes_->x_m.data();
+  const double* const y_m = echoes_->y_m.data();
+  int farthest = places.first;
+  double most = -1.0;
   for (int i = places.first + 1; i < places.last; ++i) {
-    const Eigen::Vector2d d_m = echoes_->point_m((*order_)[i]) - from_m;
-    const double off = std::abs(along_m.x() * d_m.y() - along_m.y() * d_m.x());
-    if (off > farthest) {
-      farthest = off;
-      split = i;
+    const double off = std::abs(along_m.x() * (y_m[i] - from_m.y()) - along_m.y() * (x_m[i] - from_m.x()));
+    if (off > most) {
+      most = off;
+      farthest = i;
     }
   }
-  return climb_to_best_split(places, std::clamp(split, places.first, places.last - 1));
+  return farthest;
 }
 
 int LineSplitter::climb_to_best_split(Stretch places, int split) const {
-  const auto chi2_at = [&](int s) {
-    return (s > places.first ? sums_->chi2(places.first, s) : 0.0) +
-           (s + 1 < places.last ? sums_->chi2(s + 1, places.last) : 0.0);
+  const auto explained_at = [&](int s) {
+    return s >= places.first && s < places.last ? sums_->explained_by_two(places, s)
+                                                : -std::numeric_limits<double>::infinity();
   };
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  if (split > places.first && chi2_at(split - 1) < chi2_at(split))
-    --split;  // the corner may be on either piece
-  double best = chi2_at(split);
+  double best = explained_at(split);
+  // The corner may be on either piece.
+  if (const double before = explained_at(split - 1); before > best) {
+    best = before;
+    --split;
+  }
+  int come_from = 0;  // the side on which the last place lies: it is worse
   for (int stride = std::clamp(places.size() / 4, 1, 8); stride >= 1;) {
     // The better side, so that a mirrored run is cut at the same place.
-    const double before = split - stride >= places.first ? chi2_at(split - stride) : kNone;
-    const double after = split + stride < places.last ? chi2_at(split + stride) : kNone;
-    if (std::min(before, after) < best) {
-      split += before < after ? -stride : stride;
-      best = std::min(before, after);
+    const double before = come_from < 0 ? best : explained_at(split - stride);
+    const double after = come_from > 0 ? best : explained_at(split + stride);
+    if (std::max(before, after) > best) {
+      const int direction = before > after ? -1 : 1;
+      split += direction * stride;
+      come_from = -direction;
+      best = std::max(before, after);
     } else {
       stride /= 2;
+      come_from = 0;
     }
   }
   return split;
 }
 
-void LineSplitter::merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const {
-  for (bool merged = true; merged;) {
-    merged = false;
-    for (std::size_t i = first_piece; i + 1 < pieces.size(); ++i) {
-      const LinePiece both = piece_of({pieces[i].places.first, pieces[i + 1].places.last});
-      if (both.cost > pieces[i].cost + pieces[i + 1].cost) continue;
-      pieces[i] = both;
-      pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-      merged = true;
+// Each pass moves the pieces that stay to the front.
+bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) const {
+  std::size_t last_kept = first_piece;
+  for (std::size_t next = first_piece + 1; next < pieces.size(); ++next) {
+    LinePiece& kept = pieces[last_kept];
+    const LinePiece both = piece_of({kept.places.first, pieces[next].places.last});
+    if (both.cost > kept.cost + pieces[next].cost) {
+      pieces[++last_kept] = pieces[next];
+    } else {
+      kept = both;
+      // What follows is compared in the next pass, as it would be from the other side.
+      if (++next < pieces.size()) pieces[++last_kept] = pieces[next];
     }
+  }
+  const bool merged = last_kept + 1 < pieces.size();
+  pieces.resize(last_kept + 1);
+  return merged;
+}
+
+void LineSplitter::merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const {
+  while (merge_once(first_piece, pieces)) {
   }
 }
 

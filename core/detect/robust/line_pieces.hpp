@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
@@ -23,19 +22,22 @@ struct LinePiece {
 /// at less cost.
 class LineSplitter {
  public:
-  /// Appends the pieces of one surface, in rising order. The arguments are read during the call alone.
-  void split(const Echoes& echoes, const std::vector<int>& order, const RayLineSums& sums, Stretch surface,
-             const SurfaceOptions& options, std::vector<LinePiece>& pieces);
+  /// Begins a scan; what it refers to lives as long as surfaces are split.
+  void begin(const Echoes& echoes, const RayLineSums& sums, const SurfaceOptions& options);
+
+  /// Appends the pieces of one surface, in rising order.
+  void split(Stretch surface, std::vector<LinePiece>& pieces);
 
  private:
   void split_down(Stretch surface, std::vector<LinePiece>& pieces);
   void merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const;
+  bool merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) const;
   LinePiece piece_of(Stretch places) const;
   int best_split(Stretch places) const;
+  int farthest_from_chord(Stretch places) const;
   int climb_to_best_split(Stretch places, int split) const;
 
   const Echoes* echoes_ = nullptr;
-  const std::vector<int>* order_ = nullptr;
   const RayLineSums* sums_ = nullptr;
   const SurfaceOptions* options_ = nullptr;
   std::vector<Stretch> pending_;

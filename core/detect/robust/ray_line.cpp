@@ -2,68 +2,77 @@
 #include "core/detect/robust/ray_line.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace scanbed {
 
-void RayLineSums::build(const Echoes& echoes, const std::vector<int>& order) {
-  sums_.resize(order.size() + 1);
+void RayLineSums::build(const Echoes& echoes) {
+  const int num_echoes = echoes.size();
+  sums_.resize(num_echoes + 1);
   Sums sum;
   sums_[0] = sum;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const int k = order[i];
-    const double c = echoes.ux[k];
-    const double s = echoes.uy[k];
-    const double r2 = echoes.range_m[k] * echoes.range_m[k];
-    // An error dr of range is an error dr / r2 of its inverse.
-    const double weight = r2 * r2 / (echoes.sigma_m[k] * echoes.sigma_m[k]);
-    const double y = 1.0 / echoes.range_m[k];
-    sum.cc += weight * c * c;
-    sum.cs += weight * c * s;
-    sum.ss += weight * s * s;
-    sum.cy += weight * c * y;
-    sum.sy += weight * s * y;
-    sum.yy += weight * y * y;
-    sums_[i + 1] = sum;
+  for (int k = 0; k < num_echoes; ++k) {
+    const double x = echoes.x_m[k];
+    const double y = echoes.y_m[k];
+    const double q = echoes.weight_per_m2[k] * (echoes.range_m[k] * echoes.range_m[k]);
+    const double qx = q * x;
+    const double qy = q * y;
+    sum.q += q;
+    sum.qx += qx;
+    sum.qy += qy;
+    sum.qxx += qx * x;
+    sum.qxy += qx * y;
+    sum.qyy += qy * y;
+    sums_[k + 1] = sum;
   }
 }
 
 RayLineSums::Sums RayLineSums::between(int first, int last) const {
   const Sums& a = sums_[first];
   const Sums& b = sums_[last + 1];
-  return {b.cc - a.cc, b.cs - a.cs, b.ss - a.ss, b.cy - a.cy, b.sy - a.sy, b.yy - a.yy};
+  return {b.q - a.q, b.qx - a.qx, b.qy - a.qy, b.qxx - a.qxx, b.qxy - a.qxy, b.qyy - a.qyy};
 }
 
 RayLine RayLineSums::solve(const Sums& s) {
-  const double determinant = s.cc * s.ss - s.cs * s.cs;
+  const double determinant = s.qxx * s.qyy - s.qxy * s.qxy;
   if (determinant <= 0.0) return {};
   RayLine line;
-  line.inverse_m = Eigen::Vector2d(s.ss * s.cy - s.cs * s.sy, s.cc * s.sy - s.cs * s.cy) / determinant;
-  line.chi2 = std::max(0.0, s.yy - line.inverse_m.x() * s.cy - line.inverse_m.y() * s.sy);
+  line.inverse_m = Eigen::Vector2d(s.qyy * s.qx - s.qxy * s.qy, s.qxx * s.qy - s.qxy * s.qx) / determinant;
+  line.chi2 = std::max(0.0, s.q - line.inverse_m.x() * s.qx - line.inverse_m.y() * s.qy);
   return line;
 }
 
-RayLine RayLineSums::fit(int first, int last) const {
-  return solve(between(first, last));
+RayLine RayLineSums::fit(Stretch places) const {
+  return solve(between(places.first, places.last));
 }
 
-double RayLineSums::chi2(int first, int last) const {
-  const Sums s = between(first, last);
-  const double determinant = s.cc * s.ss - s.cs * s.cs;
-  if (determinant <= 0.0) return 0.0;
-  const double explained = s.ss * s.cy * s.cy - 2.0 * s.cs * s.cy * s.sy + s.cc * s.sy * s.sy;
-  return std::max(0.0, s.yy - explained / determinant);
+double RayLineSums::explained_by_two(Stretch places, int split) const {
+  using Lanes = Eigen::Array2d;  // before the split, after it
+  const Sums a = between(places.first, split);
+  const Sums b = between(split + 1, places.last);
+  const Lanes q(a.q, b.q);
+  const Lanes qx(a.qx, b.qx);
+  const Lanes qy(a.qy, b.qy);
+  const Lanes qxx(a.qxx, b.qxx);
+  const Lanes qxy(a.qxy, b.qxy);
+  const Lanes qyy(a.qyy, b.qyy);
+  const Lanes determinant = qxx * qyy - qxy * qxy;
+  const Lanes explained = (qyy * qx * qx - 2.0 * qxy * qx * qy + qxx * qy * qy) / determinant;
+  // A line explains one echo wholly; there, and where all lie at one place, the quotient says nothing.
+  const auto share = [&](int lane, bool is_single) {
+    return is_single || !(determinant[lane] > 0.0 && explained[lane] < q[lane]) ? q[lane] : explained[lane];
+  };
+  return share(0, split == places.first) + share(1, split + 1 == places.last);
 }
 
 RayLine RayLineSums::fit_both(Stretch a, Stretch b) const {
   Sums sums = between(a.first, a.last);
   const Sums other = between(b.first, b.last);
-  sums.cc += other.cc;
-  sums.cs += other.cs;
-  sums.ss += other.ss;
-  sums.cy += other.cy;
-  sums.sy += other.sy;
-  sums.yy += other.yy;
+  sums.q += other.q;
+  sums.qx += other.qx;
+  sums.qy += other.qy;
+  sums.qxx += other.qxx;
+  sums.qxy += other.qxy;
+  sums.qyy += other.qyy;
   return solve(sums);
 }
 

@@ -16,18 +16,19 @@ constexpr int kMaxLostBeams = 2;
 
 }  // namespace
 
-void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, const DetectorOptions& options,
+void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorOptions& options,
                           Features& features) {
   options_ = &options;
   splitter_.split(echoes, options.surface, runs_);
-  sums_.build(echoes, runs_.order);
+  sums_.build(echoes);
   surfaces_.clear();
   pieces_.clear();
   arcs_.clear();
-  const SurfacedScan surfaced{scan, echoes, runs_.order};
+  const SurfacedScan surfaced{scan, echoes};
+  line_splitter_.begin(echoes, sums_, options.surface);
   arc_finder_.begin(surfaced, options);
   for (int i = 0; i < runs_.num_runs(); ++i) {
-    if (runs_.run(i).size() >= kMinJoinedEchoes) explain(surfaced, runs_.run(i));
+    if (runs_.run(i).size() >= kMinJoinedEchoes) explain(runs_.run(i));
   }
   join_across_occluders(surfaced);
   for (const Arc& arc : arcs_) {
@@ -36,11 +37,11 @@ void SurfaceParser::parse(const Echoes& echoes, const LaserScan& scan, const Det
   report_lines(surfaced, features);
 }
 
-void SurfaceParser::explain(const SurfacedScan& scan, Stretch surface) {
+void SurfaceParser::explain(Stretch surface) {
   Explained explained{.places = surface,
                       .first_piece = static_cast<int>(pieces_.size()),
                       .first_arc = static_cast<int>(arcs_.size())};
-  line_splitter_.split(scan.echoes, scan.order, sums_, surface, options_->surface, pieces_);
+  line_splitter_.split(surface, pieces_);
   explained.num_pieces = static_cast<int>(pieces_.size()) - explained.first_piece;
   if (surface.size() >= kMinSurfaceEchoes) {
     arc_finder_.find(surface, pieces_of(explained), arcs_);
@@ -57,11 +58,11 @@ std::span<LinePiece> SurfaceParser::pieces_of(const Explained& surface) {
 
 void SurfaceParser::join_across_occluders(const SurfacedScan& scan) {
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    const int last = scan.order[surfaces_[i].places.last];
+    const int last = surfaces_[i].places.last;
     const int hidden_until = last_hidden_beam(scan, last);
     if (hidden_until == scan.echoes.beam[last]) continue;
     for (std::size_t j = i + 1; j < surfaces_.size(); ++j) {
-      const int first_beam = scan.echoes.beam[scan.order[surfaces_[j].places.first]];
+      const int first_beam = scan.echoes.beam[surfaces_[j].places.first];
       if (first_beam > hidden_until + 1) break;
       if (may_go_on(scan, surfaces_[i], surfaces_[j]) && join(surfaces_[i], surfaces_[j])) break;
     }
@@ -86,12 +87,12 @@ int SurfaceParser::last_hidden_beam(const SurfacedScan& scan, int echo) const {
 bool SurfaceParser::may_go_on(const SurfacedScan& scan, const Explained& before,
                               const Explained& after) const {
   const Echoes& e = scan.echoes;
-  const int last = scan.order[before.places.last];
-  const int first = scan.order[after.places.first];
+  const int last = before.places.last;
+  const int first = after.places.first;
   if (e.beam[first] <= e.beam[last] + 1) return false;
   const double widest_m = 2.0 * options_->surface.max_radius_m;
-  if ((e.point_m(first) - e.point_m(scan.order[before.places.first])).norm() > widest_m) return false;
-  if ((e.point_m(last) - e.point_m(scan.order[after.places.last])).norm() > widest_m) return false;
+  if ((e.point_m(first) - e.point_m(before.places.first)).norm() > widest_m) return false;
+  if ((e.point_m(last) - e.point_m(after.places.last)).norm() > widest_m) return false;
   for (int beam = e.beam[last] + 1; beam < e.beam[first]; ++beam) {
     if (scan.scan.has_echo(beam) && scan.scan.range_m[beam] >= e.range_m[first]) return false;
   }
@@ -126,14 +127,14 @@ void SurfaceParser::report_lines(const SurfacedScan& scan, Features& features) c
 
 // Ends and errors on the line that rays see, which weighs grazing echoes rightly.
 Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) const {
-  const auto point_m = [&](int place) { return scan.echoes.point_m(scan.order[place]); };
+  const auto point_m = [&](int place) { return scan.echoes.point_m(place); };
   const double distance_m = 1.0 / piece.line.inverse_m.norm();
   const Eigen::Vector2d normal = piece.line.inverse_m * distance_m;
   const auto off_m = [&](int place) { return distance_m - normal.dot(point_m(place)); };
   const auto foot_m = [&](int place) { return Eigen::Vector2d(point_m(place) + off_m(place) * normal); };
   Line line;
   const auto [first, last] = piece.places;
-  line.beams = {scan.echoes.beam[scan.order[first]], scan.echoes.beam[scan.order[last]]};
+  line.beams = {scan.echoes.beam[first], scan.echoes.beam[last]};
   line.left_m = foot_m(first);
   line.right_m = foot_m(last);
   if (std::abs(normal.y()) > kMinCosine) {
@@ -148,10 +149,9 @@ Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) co
 
 void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, Features& features) const {
   Circle circle;
-  circle.beams = {scan.echoes.beam[scan.order[arc.parts[0].first]],
-                  scan.echoes.beam[scan.order[arc.last_part().last]]};
-  circle.center_m = arc.fit.center_m;
-  circle.radius_m = arc.fit.radius_m;
+  circle.beams = {scan.echoes.beam[arc.parts[0].first], scan.echoes.beam[arc.last_part().last]};
+  circle.center_m = arc.fit.cylinder.center_m;
+  circle.radius_m = arc.fit.cylinder.radius_m;
   circle.score = 1.0 - std::exp(-0.1 * (arc.gain - arc.doubt));
   features.circles.push_back(circle);
 }

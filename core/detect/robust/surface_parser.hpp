@@ -23,8 +23,8 @@ namespace scanbed {
 /// on it: there are no polygons on round things.
 class SurfaceParser {
  public:
-  /// Appends the lines and circles of all surfaces, unsorted.
-  void parse(const Echoes& echoes, const LaserScan& scan, const DetectorOptions& options, Features& features);
+  /// Appends the lines and circles of all surfaces, unsorted; sorts the echoes by surface.
+  void parse(Echoes& echoes, const LaserScan& scan, const DetectorOptions& options, Features& features);
 
  private:
   /// What explains a surface.
@@ -37,7 +37,7 @@ class SurfaceParser {
     double cost = 0.0;
   };
 
-  void explain(const SurfacedScan& scan, Stretch surface);
+  void explain(Stretch surface);
   void join_across_occluders(const SurfacedScan& scan);
   int last_hidden_beam(const SurfacedScan& scan, int echo) const;
   bool may_go_on(const SurfacedScan& scan, const Explained& before, const Explained& after) const;

@@ -9,13 +9,31 @@ namespace {
 
 constexpr double kSteadyRatio = 0.9;  // a step may differ from the last ones by this share of them
 
-bool are_near(const Echoes& e, const SurfaceOptions& options, int a, int b) {
-  const double distance_m2 = (e.point_m(b) - e.point_m(a)).squaredNorm();
-  const int num_steps = e.beam[b] - e.beam[a];
-  const double bound_m = options.min_gap_m + 3.0 * e.range_noise_m +
-                         options.gap_spacings * std::min(e.range_m[a], e.range_m[b]) * e.step_rad * num_steps;
-  return distance_m2 < bound_m * bound_m;
-}
+/// The bound on the distance of neighbours on one surface.
+struct GapBound {
+  GapBound(const Echoes& e, const SurfaceOptions& options)
+      : least_m(options.min_gap_m + 3.0 * e.range_noise_m),
+        per_range(options.gap_spacings * e.step_rad),
+        beam(e.beam.data()),
+        r_m(e.range_m.data()),
+        x_m(e.x_m.data()),
+        y_m(e.y_m.data()) {}
+
+  // Positive where two echoes lie near each other.
+  double margin_m2(int a, int b) const {
+    const double dx_m = x_m[b] - x_m[a];
+    const double dy_m = y_m[b] - y_m[a];
+    const double bound_m = least_m + per_range * std::min(r_m[a], r_m[b]) * (beam[b] - beam[a]);
+    return bound_m * bound_m - (dx_m * dx_m + dy_m * dy_m);
+  }
+
+  double least_m;
+  double per_range;
+  const int* beam;
+  const double* r_m;
+  const double* x_m;
+  const double* y_m;
+};
 
 bool is_steady(double step_m, double expected_m, const SurfaceOptions& options) {
   return std::abs(step_m) < options.max_grazing_step_m &&
@@ -44,13 +62,17 @@ bool all_between_are_nearer(const Echoes& e, int a, int b) {
 }  // namespace
 
 void SurfaceSplitter::find_stretches(const Echoes& echoes, const SurfaceOptions& options) {
-  starts_.clear();
-  for (int k = 0; k < echoes.size(); ++k) {
-    const bool joins = k > 0 && (are_near(echoes, options, k - 1, k) ||
-                                 goes_on_steadily(echoes, options, starts_.back(), k - 1));
-    if (!joins) starts_.push_back(k);
+  const int num_echoes = echoes.size();
+  const GapBound bound(echoes, options);
+  margin_m2_.resize(num_echoes);
+  double* const margin_m2 = margin_m2_.data();
+  for (int k = 1; k < num_echoes; ++k) margin_m2[k] = bound.margin_m2(k - 1, k);
+  starts_.assign(1, 0);
+  for (int k = 1; k < num_echoes; ++k) {
+    if (margin_m2[k] > 0.0 || goes_on_steadily(echoes, options, starts_.back(), k - 1)) continue;
+    starts_.push_back(k);
   }
-  starts_.push_back(echoes.size());
+  starts_.push_back(num_echoes);
 }
 
 // The stretch on which the surface of `stretch` goes on behind a speck; -1 where there is none.
@@ -60,7 +82,7 @@ int SurfaceSplitter::continuation_of(const Echoes& echoes, const SurfaceOptions&
   for (int next = stretch + 1; next < num_stretches; ++next) {
     const int candidate = starts_[next];
     if (echoes.beam[candidate] - echoes.beam[last] > options.max_speck_beams + 1) return -1;
-    if (!taken_[next] && are_near(echoes, options, last, candidate) &&
+    if (!taken_[next] && GapBound(echoes, options).margin_m2(last, candidate) > 0.0 &&
         all_between_are_nearer(echoes, last, candidate)) {
       return next;
     }
@@ -68,22 +90,55 @@ int SurfaceSplitter::continuation_of(const Echoes& echoes, const SurfaceOptions&
   return -1;
 }
 
-void SurfaceSplitter::split(const Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs) {
-  runs.order.clear();
+void SurfaceSplitter::chain_stretches(const Echoes& echoes, const SurfaceOptions& options,
+                                      SurfaceRuns& runs) {
+  const auto num_stretches = static_cast<int>(starts_.size()) - 1;
+  taken_.assign(num_stretches, 0);
+  chain_.clear();
+  int num_sorted = 0;
+  for (int start = 0; start < num_stretches; ++start) {
+    if (taken_[start]) continue;
+    runs.begin.push_back(num_sorted);
+    for (int stretch = start; stretch >= 0; stretch = continuation_of(echoes, options, stretch)) {
+      taken_[stretch] = 1;
+      chain_.push_back(stretch);
+      num_sorted += starts_[stretch + 1] - starts_[stretch];
+    }
+  }
+  runs.begin.push_back(num_sorted);
+}
+
+template <typename Column>
+void SurfaceSplitter::sort_column(Column& column, Column& sorted) const {
+  sorted.resize(order_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) sorted[i] = column[order_[i]];
+  std::copy(sorted.begin(), sorted.end(), column.begin() + first_moved_);
+}
+
+// Most surfaces lie as they were read; what moves is what lies behind specks.
+void SurfaceSplitter::sort(Echoes& echoes) {
+  auto end = static_cast<int>(chain_.size());
+  int begin = 0;
+  while (begin < end && chain_[begin] == begin) ++begin;
+  while (begin < end && chain_[end - 1] == end - 1) --end;
+  if (begin == end) return;
+  first_moved_ = starts_[begin];
+  order_.clear();
+  for (int i = begin; i < end; ++i) {
+    for (int k = starts_[chain_[i]]; k < starts_[chain_[i] + 1]; ++k) order_.push_back(k);
+  }
+  sort_column(echoes.beam, sorted_beams_);
+  for (std::vector<double>* column : {&echoes.range_m, &echoes.x_m, &echoes.y_m, &echoes.weight_per_m2}) {
+    sort_column(*column, sorted_values_);
+  }
+}
+
+void SurfaceSplitter::split(Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs) {
   runs.begin.clear();
   if (echoes.size() == 0) return;
   find_stretches(echoes, options);
-  const auto num_stretches = static_cast<int>(starts_.size()) - 1;
-  taken_.assign(num_stretches, 0);
-  for (int start = 0; start < num_stretches; ++start) {
-    if (taken_[start]) continue;
-    runs.begin.push_back(static_cast<int>(runs.order.size()));
-    for (int stretch = start; stretch >= 0; stretch = continuation_of(echoes, options, stretch)) {
-      taken_[stretch] = 1;
-      for (int k = starts_[stretch]; k < starts_[stretch + 1]; ++k) runs.order.push_back(k);
-    }
-  }
-  runs.begin.push_back(static_cast<int>(runs.order.size()));
+  chain_stretches(echoes, options, runs);
+  sort(echoes);
 }
 
 }  // namespace scanbed

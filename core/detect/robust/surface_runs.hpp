@@ -7,7 +7,7 @@
 
 namespace scanbed {
 
-/// Some consecutive places of SurfaceRuns::order, both ends included.
+/// Some consecutive echoes, both ends included.
 struct Stretch {
   int first = 0;
   int last = 0;
@@ -15,11 +15,9 @@ struct Stretch {
   int size() const { return last - first + 1; }
 };
 
-/// Echoes sorted by the surface on which they probably lie.
+/// Where surfaces begin in echoes that are sorted by the surface on which they probably lie.
 struct SurfaceRuns {
-  std::vector<int> order;  ///< indices into Echoes; each occurs once
-  std::vector<int>
-      begin;  ///< surface i is order[begin[i]] to order[begin[i + 1] - 1], in rising order of beams
+  std::vector<int> begin;  ///< surface i is echoes begin[i] to begin[i + 1] - 1, in rising order of beams
 
   int num_runs() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
   Stretch run(int i) const { return {begin[i], begin[i + 1] - 1}; }
@@ -32,14 +30,25 @@ struct SurfaceRuns {
 /// do not cut what agrees on both sides of them: such a speck becomes a surface of its own.
 class SurfaceSplitter {
  public:
-  void split(const Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs);
+  /// Sorts the echoes by surface. @pre they are in the order of their beams.
+  void split(Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs);
 
  private:
   void find_stretches(const Echoes& echoes, const SurfaceOptions& options);
   int continuation_of(const Echoes& echoes, const SurfaceOptions& options, int stretch) const;
+  void chain_stretches(const Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs);
+  void sort(Echoes& echoes);
+  template <typename Column>
+  void sort_column(Column& column, Column& sorted) const;
 
-  std::vector<int> starts_;  ///< of stretches without a jump, and the end of the last
-  std::vector<char> taken_;  ///< stretches that belong to a surface already
+  std::vector<double> margin_m2_;  ///< of each echo: positive where it lies near the one before
+  std::vector<int> starts_;        ///< of stretches without a jump, and the end of the last
+  std::vector<char> taken_;        ///< stretches that belong to a surface already
+  std::vector<int> chain_;         ///< the stretches, surface by surface
+  std::vector<int> order_;         ///< of the echoes that move: where they come from
+  int first_moved_ = 0;
+  std::vector<int> sorted_beams_;
+  std::vector<double> sorted_values_;
 };
 
 }  // namespace scanbed

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace scanbed {
 namespace {
 
@@ -19,10 +17,8 @@ Ends ends_of(const std::vector<double>& range_m, int first, int last, Stretch su
   scan.range_m = range_m;
   Echoes echoes;
   EchoReader().read(scan, {}, echoes);
-  std::vector<int> order(echoes.size());
-  std::iota(order.begin(), order.end(), 0);
-  return {arc_end_at(scan, echoes, order, surface, first, -1),
-          arc_end_at(scan, echoes, order, surface, last, 1)};
+  const SurfacedScan surfaced{scan, echoes};
+  return {arc_end_at(surfaced, surface, first, -1), arc_end_at(surfaced, surface, last, 1)};
 }
 
 TEST(ArcEndsTest, AFreeEndIsPassedByABeamThatSeesFarther) {

@@ -16,12 +16,14 @@ struct Parsed {
   explicit Parsed(const LaserScan& s) : scan(s) {
     EchoReader().read(scan, options.surface, echoes);
     SurfaceSplitter().split(echoes, options.surface, runs);
-    sums.build(echoes, runs.order);
+    sums.build(echoes);
   }
 
   std::vector<Arc> arcs_of(int run) {
     std::vector<LinePiece> pieces;
-    LineSplitter().split(echoes, runs.order, sums, runs.run(run), options.surface, pieces);
+    LineSplitter splitter;
+    splitter.begin(echoes, sums, options.surface);
+    splitter.split(runs.run(run), pieces);
     std::vector<Arc> arcs;
     finder().find(runs.run(run), pieces, arcs);
     return arcs;
@@ -29,7 +31,7 @@ struct Parsed {
 
   ArcFinder finder() const {
     ArcFinder finder;
-    finder.begin({scan, echoes, runs.order}, options);
+    finder.begin({scan, echoes}, options);
     return finder;
   }
 
@@ -46,7 +48,7 @@ TEST(ArcFinderTest, AFreeColumnIsOneArcWithoutDoubt) {
   Parsed parsed(with_noise(scene.scan(), 0.005, 1));
   const std::vector<Arc> arcs = parsed.arcs_of(0);
   ASSERT_EQ(arcs.size(), 1u);
-  EXPECT_NEAR((arcs[0].fit.center_m - Eigen::Vector2d(2.0, 0.5)).norm(), 0.0, 0.02);
+  EXPECT_NEAR((arcs[0].fit.cylinder.center_m - Eigen::Vector2d(2.0, 0.5)).norm(), 0.0, 0.02);
   EXPECT_GT(arcs[0].gain, arcs[0].doubt);
   EXPECT_DOUBLE_EQ(arcs[0].price, parsed.options.surface.arc_price);
 }
@@ -83,8 +85,8 @@ TEST(ArcFinderTest, TwoPartsOfAColumnAreOneArc) {
   const auto arc = parsed.finder().join(parsed.runs.run(0), parsed.runs.run(2), 60.0);
   ASSERT_TRUE(arc);
   EXPECT_EQ(arc->num_parts, 2);
-  EXPECT_NEAR((arc->fit.center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
-  EXPECT_NEAR(arc->fit.radius_m, 0.35, 0.02);
+  EXPECT_NEAR((arc->fit.cylinder.center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.02);
+  EXPECT_NEAR(arc->fit.cylinder.radius_m, 0.35, 0.02);
   EXPECT_NEAR(arc->gain, 60.0 - arc->price - arc->fit.chi2, 1e-9);
   // What costs less than the arc is not given up for it.
   EXPECT_FALSE(parsed.finder().join(parsed.runs.run(0), parsed.runs.run(2), 18.0));

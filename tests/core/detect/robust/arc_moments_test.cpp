@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
-#include <numeric>
 
 #include "tests/support/ideal_scene.hpp"
 
@@ -16,7 +15,6 @@ using testing::with_noise;
 
 struct Column {
   Echoes echoes;
-  std::vector<int> order;
   Stretch all;
 };
 
@@ -25,8 +23,6 @@ Column column(double sigma_m) {
   scene.cylinder({3.0, 1.0}, 0.3);
   Column column;
   EchoReader().read(with_noise(scene.scan(), sigma_m, 3), {}, column.echoes);
-  column.order.resize(column.echoes.size());
-  std::iota(column.order.begin(), column.order.end(), 0);
   column.all = {0, column.echoes.size() - 1};
   return column;
 }
@@ -37,7 +33,7 @@ double chi2_by_matrix(const Column& c, Stretch places) {
   Eigen::VectorXd right(places.size());
   for (int i = 0; i < places.size(); ++i) {
     const Eigen::Vector2d p = c.echoes.point_m(places.first + i);
-    const double root_weight = 1.0 / c.echoes.sigma_m[places.first + i];
+    const double root_weight = 1.0 / c.echoes.sigma_m(places.first + i);
     rows.row(i) = root_weight * Eigen::RowVector3d(p.x(), p.y(), 1.0);
     right[i] = -root_weight * p.squaredNorm();
   }
@@ -50,19 +46,26 @@ double chi2_by_matrix(const Column& c, Stretch places) {
 TEST(ArcMomentsTest, AgreesWithALeastSquaresSolution) {
   const Column c = column(0.005);
   ArcMoments moments;
-  moments.begin(c.echoes, c.order);
+  moments.begin(c.echoes);
   ASSERT_GE(c.all.size(), 15);
-  for (const Stretch places : {c.all, Stretch{0, 9}, Stretch{3, c.all.last - 2}}) {
+  for (const Stretch places :
+       {c.all, Stretch{0, 9}, Stretch{3, c.all.last - 2}, Stretch{6, c.all.last}, Stretch{1, 8}}) {
     const double expected = chi2_by_matrix(c, places);
-    EXPECT_NEAR(moments.chi2(c.all, places), expected, 1e-6 * expected);
+    const auto arc = moments.arc(places);
+    ASSERT_TRUE(arc);
+    EXPECT_NEAR(arc->chi2, expected, 1e-6 * expected);
   }
 }
 
 TEST(ArcMomentsTest, AnExactColumnCostsNothing) {
   const Column c = column(0.0);
   ArcMoments moments;
-  moments.begin(c.echoes, c.order);
-  EXPECT_NEAR(moments.chi2(c.all, c.all), 0.0, 1e-4);
+  moments.begin(c.echoes);
+  const auto arc = moments.arc(c.all);
+  ASSERT_TRUE(arc);
+  EXPECT_NEAR(arc->chi2, 0.0, 1e-4);
+  EXPECT_NEAR((arc->cylinder.center_m - Eigen::Vector2d(3.0, 1.0)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(arc->cylinder.radius_m, 0.3, 1e-6);
 }
 
 TEST(ArcMomentsTest, HollowsAndStraightRunsAreNoArcs) {
@@ -73,22 +76,20 @@ TEST(ArcMomentsTest, HollowsAndStraightRunsAreNoArcs) {
   for (const LaserScan& scan : {wall.scan(), hollow}) {
     Echoes echoes;
     EchoReader().read(scan, {}, echoes);
-    std::vector<int> order(echoes.size());
-    std::iota(order.begin(), order.end(), 0);
     ArcMoments moments;
-    moments.begin(echoes, order);
-    EXPECT_TRUE(std::isinf(moments.chi2({0, echoes.size() - 1}, {0, echoes.size() - 1})));
+    moments.begin(echoes);
+    EXPECT_FALSE(moments.arc({0, echoes.size() - 1}));
   }
 }
 
-TEST(ArcMomentsTest, TwoSurfacesAreSummedAsOne) {
+TEST(ArcMomentsTest, TwoStretchesAreSummedAsOne) {
   const Column c = column(0.005);
   ArcMoments whole;
-  whole.begin(c.echoes, c.order);
+  whole.begin(c.echoes);
   ArcMoments halves;
-  halves.begin(c.echoes, c.order);
-  const double expected = whole.chi2(c.all, c.all);
-  EXPECT_NEAR(halves.chi2_of_both({0, 8}, {9, c.all.last}), expected, 1e-6 * expected);
+  halves.begin(c.echoes);
+  const double expected = whole.arc(c.all)->chi2;
+  EXPECT_NEAR(halves.arc_of_both({0, 8}, {9, c.all.last})->chi2, expected, 1e-6 * expected);
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ TEST(EchoReaderTest, GrazingEchoesHaveALargerSigmaThanOthers) {
   corridor.wall({-1.0, 1.0}, {30.0, 1.0});
   const Echoes echoes = echoes_of(with_noise(corridor.scan(), 0.005, 3));
   // Far down the corridor a beam step is a long way along the wall; beside the sensor it is nothing.
-  EXPECT_GT(echoes.sigma_m[3], 3.0 * echoes.range_noise_m);
-  EXPECT_DOUBLE_EQ(echoes.sigma_m[echoes.size() - 5], echoes.range_noise_m);
+  EXPECT_GT(echoes.sigma_m(3), 3.0 * echoes.range_noise_m);
+  EXPECT_DOUBLE_EQ(echoes.sigma_m(echoes.size() - 5), echoes.range_noise_m);
 }
 
 TEST(EchoReaderTest, LeavesOutWhatHasNoRange) {
@@ -55,19 +55,57 @@ TEST(EchoReaderTest, LeavesOutWhatHasNoRange) {
   EXPECT_EQ(echoes_of(scan).beam, (std::vector<int>{1, 6}));
 }
 
-TEST(NoiseHistogramTest, GivesTheSigmaOfWhiteNoise) {
-  // Third differences of white noise of sigma s are Gaussian with sqrt(20) s; their quantiles in closed form.
+TEST(EchoReaderTest, PointsLieWhereTheirBeamsPoint) {
+  LaserScan scan;
+  scan.range_m = {2.0, kNoEcho, 3.0};
+  const Echoes echoes = echoes_of(scan);
+  for (int k = 0; k < 2; ++k) {
+    const double bearing_rad = scan.geometry.bearing_rad(echoes.beam[k]);
+    EXPECT_NEAR(echoes.x_m[k], echoes.range_m[k] * std::cos(bearing_rad), 1e-12);
+    EXPECT_NEAR(echoes.y_m[k], echoes.range_m[k] * std::sin(bearing_rad), 1e-12);
+  }
+}
+
+// Ranges whose third differences all are 6 times the given value, and their steps small.
+std::vector<double> cubic(double sixth_m, int num) {
+  std::vector<double> range_m;
+  for (int i = 0; i < num; ++i) {
+    const double k = i - 0.5 * (num - 1);
+    range_m.push_back(2.0 + sixth_m * k * k * k);
+  }
+  return range_m;
+}
+
+TEST(NoiseHistogramTest, TheMedianOfThirdDifferencesTellsSigma) {
+  // Third differences of white noise of sigma s are Gaussian with sqrt(20) s, the median of their absolute
+  // values 0.67449 of that.
   NoiseHistogram histogram;
-  constexpr int kNum = 999;
-  const double sigma_m = 0.007;
-  // The quartiles of a Gaussian lie at 0.67449 of its sigma: half of all values within.
-  for (int i = 0; i < kNum; ++i) histogram.add(0.67449 * std::sqrt(20.0) * sigma_m * 2.0 * i / (kNum - 1));
-  ASSERT_TRUE(histogram.sigma_m());
-  EXPECT_NEAR(*histogram.sigma_m(), sigma_m, 2e-4);
-  histogram.clear();
-  EXPECT_FALSE(histogram.sigma_m());
-  for (int i = 0; i < 20; ++i) histogram.add(1e6);  // beyond the last bin
-  EXPECT_GT(*histogram.sigma_m(), 0.03);
+  for (const double sigma_m : {0.0002, 0.0003, 0.0004}) {
+    for (const int num : {16, 17}) {
+      const auto found_m = histogram.sigma_m(cubic(0.67449 * std::sqrt(20.0) * sigma_m / 6.0, num));
+      ASSERT_TRUE(found_m);
+      EXPECT_NEAR(*found_m, sigma_m, 0.00025 / 0.67449 / std::sqrt(20.0));  // a bin
+    }
+  }
+}
+
+TEST(NoiseHistogramTest, EdgesAndBeamsWithoutEchoAreNoNoise) {
+  NoiseHistogram histogram;
+  std::vector<double> range_m(40, 2.0);
+  ASSERT_TRUE(histogram.sigma_m(range_m));
+  EXPECT_NEAR(*histogram.sigma_m(range_m), 0.0, 1e-4);
+  for (int i = 0; i < 40; i += 3) range_m[i] = 3.0;
+  EXPECT_FALSE(histogram.sigma_m(range_m));
+  for (const double no_echo : {kNoEcho, kTooClose, kInvalid, 0.0}) {
+    for (int i = 0; i < 40; i += 3) range_m[i] = no_echo;
+    EXPECT_FALSE(histogram.sigma_m(range_m));
+  }
+}
+
+TEST(NoiseHistogramTest, TooFewRangesSayNothing) {
+  NoiseHistogram histogram;
+  for (const int num : {0, 1, 3, 14}) EXPECT_FALSE(histogram.sigma_m(std::vector<double>(num, 1.0)));
+  EXPECT_TRUE(histogram.sigma_m(std::vector<double>(15, 1.0)));
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -21,11 +19,12 @@ struct Split {
 Split split(const LaserScan& scan) {
   Split result;
   EchoReader().read(scan, {}, result.echoes);
-  std::vector<int> order(result.echoes.size());
-  std::iota(order.begin(), order.end(), 0);
   RayLineSums sums;
-  sums.build(result.echoes, order);
-  LineSplitter().split(result.echoes, order, sums, {0, result.echoes.size() - 1}, {}, result.pieces);
+  sums.build(result.echoes);
+  const SurfaceOptions options;
+  LineSplitter splitter;
+  splitter.begin(result.echoes, sums, options);
+  splitter.split({0, result.echoes.size() - 1}, result.pieces);
   return result;
 }
 

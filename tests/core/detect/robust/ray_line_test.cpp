@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -21,11 +19,9 @@ struct Fitted {
 Fitted fit_all(const LaserScan& scan) {
   Fitted fitted;
   EchoReader().read(scan, {}, fitted.echoes);
-  std::vector<int> order(fitted.echoes.size());
-  std::iota(order.begin(), order.end(), 0);
   RayLineSums sums;
-  sums.build(fitted.echoes, order);
-  fitted.line = sums.fit(0, fitted.echoes.size() - 1);
+  sums.build(fitted.echoes);
+  fitted.line = sums.fit({0, fitted.echoes.size() - 1});
   return fitted;
 }
 
@@ -54,21 +50,31 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
   EXPECT_NEAR(ratio, 1.0, 0.1);  // 50 runs of some 110 echoes: 4 sigma are 0.08
 }
 
-TEST(RayLineTest, ChiSquaredAloneIsThatOfTheFit) {
+TEST(RayLineTest, WhatTwoLinesExplainIsWhatTheyDoNotLeave) {
   IdealScene scene;
   scene.wall({2.0, -1.0}, {2.5, 1.0});
   Echoes echoes;
   EchoReader().read(with_noise(scene.scan(), 0.005, 4), {}, echoes);
-  std::vector<int> order(echoes.size());
-  std::iota(order.begin(), order.end(), 0);
   RayLineSums sums;
-  sums.build(echoes, order);
-  for (const Stretch places : {Stretch{0, echoes.size() - 1}, Stretch{3, 20}}) {
-    const double expected = sums.fit(places.first, places.last).chi2;
-    EXPECT_NEAR(sums.chi2(places.first, places.last), expected, 1e-6 * expected);
+  sums.build(echoes);
+  const int last = echoes.size() - 1;
+  double all = 0.0;
+  for (int k = 0; k <= last; ++k) all += echoes.range_m[k] * echoes.range_m[k] * echoes.weight_per_m2[k];
+  for (const int split : {1, 20, last - 2}) {
+    const double left = sums.fit({0, split}).chi2 + sums.fit({split + 1, last}).chi2;
+    EXPECT_NEAR(sums.explained_by_two({0, last}, split), all - left, 1e-9 * all);
   }
-  const double whole = sums.fit(0, echoes.size() - 1).chi2;
-  EXPECT_NEAR(sums.fit_both({0, 9}, {10, echoes.size() - 1}).chi2, whole, 1e-6 * whole);
+  // One echo is explained wholly.
+  EXPECT_NEAR(sums.explained_by_two({0, last}, 0), all - sums.fit({1, last}).chi2, 1e-9 * all);
+  EXPECT_NEAR(sums.explained_by_two({0, last}, last - 1), all - sums.fit({0, last - 1}).chi2, 1e-9 * all);
+}
+
+TEST(RayLineTest, TwoStretchesAreFittedAsOne) {
+  const Fitted whole = fit_all(with_noise(wall_scan(), 0.005, 4));
+  RayLineSums sums;
+  sums.build(whole.echoes);
+  const double chi2 = sums.fit_both({0, 9}, {10, whole.echoes.size() - 1}).chi2;
+  EXPECT_NEAR(chi2, whole.line.chi2, 1e-6 * chi2);
 }
 
 }  // namespace

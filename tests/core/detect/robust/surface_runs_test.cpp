@@ -61,16 +61,22 @@ RC_GTEST_PROP(SurfaceRunsTest, EveryEchoLiesOnOneSurfaceAndBeamsRise,
               (const std::vector<unsigned short>& ranges_cm)) {
   LaserScan scan;
   for (const auto range_cm : ranges_cm) scan.range_m.push_back((range_cm % 300) / 100.0);
-  Echoes echoes;
-  EchoReader().read(scan, {}, echoes);
+  Echoes read;
+  EchoReader().read(scan, {}, read);
+  Echoes echoes = read;
   SurfaceRuns runs;
   SurfaceSplitter().split(echoes, {}, runs);
-  std::vector<int> seen = runs.order;
+  std::vector<int> seen = echoes.beam;
   for (int i = 0; i < runs.num_runs(); ++i) {
-    RC_ASSERT(std::is_sorted(runs.order.begin() + runs.begin[i], runs.order.begin() + runs.begin[i + 1]));
+    RC_ASSERT(std::is_sorted(seen.begin() + runs.begin[i], seen.begin() + runs.begin[i + 1]));
+  }
+  for (int k = 0; k < echoes.size(); ++k) {  // what belongs to a beam moves with it
+    RC_ASSERT(echoes.range_m[k] == scan.range_m[seen[k]]);
+    RC_ASSERT(echoes.x_m[k] == echoes.range_m[k] * echoes.directions.x(seen[k]));
+    RC_ASSERT(echoes.y_m[k] == echoes.range_m[k] * echoes.directions.y(seen[k]));
   }
   std::sort(seen.begin(), seen.end());
-  for (int k = 0; k < echoes.size(); ++k) RC_ASSERT(seen[k] == k);
+  RC_ASSERT(seen == read.beam);
 }
 
 }  // namespace
