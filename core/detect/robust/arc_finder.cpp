@@ -15,8 +15,11 @@ constexpr int kMaxTrimRounds = 3;
 constexpr double kTrimResidual = 3.0;
 constexpr int kMinPartEchoes = 2;
 constexpr double kGoodChi2PerEcho = 1.5;
-// The algebraic chi squared may exceed the geometric one by this factor.
-constexpr double kAlgebraicExcess = 1.6;
+// The algebraic chi squared of an arc that gains hardly ever exceeds the geometric one by more than this
+// factor ...
+constexpr double kAlgebraicExcess = 1.1;
+// ... but for mixed pixels, which may be dropped where there is enough to gain.
+constexpr double kMixedExcess = 1.6;
 
 }  // namespace
 
@@ -88,24 +91,30 @@ bool ArcFinder::is_part_of_contender(int first_piece, int last_piece) const {
 
 bool ArcFinder::try_places(Stretch surface, double cost, Arc& arc) {
   const Stretch places = arc.parts[0];
-  if (places.size() < options_->circle.min_points || !bulges(places)) return false;
+  if (places.size() < options_->circle.min_points) return false;
+  if (!bulges(places, (places.first + places.last) / 2)) return false;
   const double most_chi2 = cost - ends_of(surface, arc).price;
-  if (most_chi2 <= 0.0) return false;
-  const auto algebraic = moments_.arc(places);
-  if (!algebraic || algebraic->chi2 >= kAlgebraicExcess * most_chi2) return false;
+  return most_chi2 > 0.0 && is_worth_fitting(moments_.arc(places), most_chi2, arc) &&
+         settle(surface, cost, arc);
+}
+
+bool ArcFinder::is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2,
+                                 Arc& arc) const {
+  const double excess = most_chi2 > options_->surface.clutter_price ? kMixedExcess : kAlgebraicExcess;
+  if (!algebraic || algebraic->chi2 >= excess * most_chi2) return false;
   arc.fit.cylinder = algebraic->cylinder;
-  return settle(surface, cost, arc);
+  return true;
 }
 
 std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
   if (arc.num_echoes() < options_->circle.min_points) return std::nullopt;
   const Stretch both{before.first, after.last};
+  if (!bulges(both, before.last) && !bulges(both, after.first)) return std::nullopt;
   const double most_chi2 = cost - ends_of(both, arc).price;
-  if (most_chi2 <= 0.0) return std::nullopt;
-  const auto algebraic = moments_.arc_of_both(before, after);
-  if (!algebraic || algebraic->chi2 >= kAlgebraicExcess * most_chi2) return std::nullopt;
-  arc.fit.cylinder = algebraic->cylinder;
+  if (most_chi2 <= 0.0 || !is_worth_fitting(moments_.arc_of_both(before, after), most_chi2, arc)) {
+    return std::nullopt;
+  }
   if (!settle(both, cost, arc)) return std::nullopt;
   return arc;
 }
@@ -124,10 +133,10 @@ bool ArcFinder::settle(Stretch surface, double cost, Arc& arc) {
 }
 
 // Quick to see; what does not bulge towards the sensor is no arc.
-bool ArcFinder::bulges(Stretch places) const {
+bool ArcFinder::bulges(Stretch places, int between) const {
   const Eigen::Vector2d a_m = point_m(places.first);
   const Eigen::Vector2d chord_m = point_m(places.last) - a_m;
-  const Eigen::Vector2d d_m = point_m((places.first + places.last) / 2) - a_m;
+  const Eigen::Vector2d d_m = point_m(between) - a_m;
   const double side = chord_m.y() * a_m.x() - chord_m.x() * a_m.y();
   const double bulge_m2 = (chord_m.x() * d_m.y() - chord_m.y() * d_m.x()) * (side < 0.0 ? -1.0 : 1.0);
   return bulge_m2 >= kMinBulgeRatio * chord_m.squaredNorm();

@@ -63,7 +63,8 @@ class ArcFinder {
   bool is_part_of_contender(int first_piece, int last_piece) const;
   bool try_places(Stretch surface, double cost, Arc& arc);
   bool settle(Stretch surface, double cost, Arc& arc);
-  bool bulges(Stretch places) const;
+  bool is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2, Arc& arc) const;
+  bool bulges(Stretch places, int between) const;
   Ends ends_of(Stretch surface, const Arc& arc) const;
   bool fit_trimmed(Stretch surface, double cost, Arc& arc) const;
   bool drop_mixed_ends(Arc& arc) const;

@@ -9,9 +9,7 @@ namespace scanbed {
 namespace {
 
 constexpr int kMaxSteps = 6;
-constexpr double kEnoughGain = 0.02;  // of chi squared in a step: less changes no decision
-// The weights move with the cylinder, so that at its least chi squared a step may lose this much.
-constexpr double kSlightLoss = 0.1;
+constexpr double kEnoughGain = 0.1;  // of chi squared in a step: less changes no decision
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMaxRadius_m = 3.0;
 constexpr double kMinSlant2 = 0.36;
@@ -161,7 +159,8 @@ std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> par
     const NormalEquations next = linearize(echoes, parts, witnesses, candidate);
     const double gain = equations.chi2 - next.chi2;
     if (!(gain >= 0.0)) {
-      if (gain > -kSlightLoss) break;
+      // The weights move with the cylinder, so that at its least chi squared a step may lose a little.
+      if (gain > -kEnoughGain) break;
       damping *= 10.0;
       continue;
     }

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace scanbed {
+namespace {
+
+constexpr int kMaxExhausted = 8;  // so few echoes are split everywhere to see where it is best
+
+}  // namespace
 
 void LineSplitter::begin(const Echoes& echoes, const RayLineSums& sums, const SurfaceOptions& options) {
   echoes_ = &echoes;
@@ -43,55 +47,62 @@ void LineSplitter::split_down(Stretch surface, std::vector<LinePiece>& pieces) {
   }
 }
 
-// The last place of the first of two pieces; the search starts at the point farthest from the chord.
+// The last place of the first of two pieces. On long stretches the search starts at the point farthest from
+// the chord.
 int LineSplitter::best_split(Stretch places) const {
-  return climb_to_best_split(places, std::clamp(farthest_from_chord(places), places.first, places.last - 1));
+  if (places.size() > kMaxExhausted) return climb_to_best_split(places, farthest_from_chord(places));
+  Split best{places.first, sums_->explained_by_two(places, places.first)};
+  for (int s = places.first + 1; s < places.last; ++s) best = better_of(best, split_at(places, s));
+  return best.place;
+}
+
+LineSplitter::Split LineSplitter::split_at(Stretch places, int place) const {
+  place = std::clamp(place, places.first, places.last - 1);
+  return {place, sums_->explained_by_two(places, place)};
 }
 
 int LineSplitter::farthest_from_chord(Stretch places) const {
+  using Block = Eigen::Array<double, 8, 1>;
   const Eigen::Vector2d from_m = echoes_->point_m(places.first);
   const Eigen::Vector2d along_m = echoes_->point_m(places.last) - from_m;
-  const double* const x_m = echoes_->x_m.data();
-  const double* const y_m = echoes_->y_m.data();
+  const auto off_from = [&](int i) -> Block {
+    const auto x_m = Eigen::Map<const Block>(&echoes_->x_m[i]);
+    const auto y_m = Eigen::Map<const Block>(&echoes_->y_m[i]);
+    return (along_m.x() * (y_m - from_m.y()) - along_m.y() * (x_m - from_m.x())).abs();
+  };
+  // The block with the largest, then the largest in it. The last block ends with the stretch, which is longer
+  // than a block.
   int farthest = places.first;
   double most = -1.0;
-  for (int i = places.first + 1; i < places.last; ++i) {
-    const double off = std::abs(along_m.x() * (y_m[i] - from_m.y()) - along_m.y() * (x_m[i] - from_m.x()));
-    if (off > most) {
-      most = off;
-      farthest = i;
-    }
+  for (int i = places.first; i <= places.last; i += Block::SizeAtCompileTime) {
+    const int begin = std::min(i, places.last + 1 - static_cast<int>(Block::SizeAtCompileTime));
+    const double most_here = off_from(begin).maxCoeff();
+    farthest = most_here > most ? begin : farthest;
+    most = std::max(most, most_here);
   }
-  return farthest;
+  const Block off = off_from(farthest);
+  int i = 0;
+  while (i + 1 < Block::SizeAtCompileTime && off[i] != most) ++i;
+  return farthest + i;
 }
 
-int LineSplitter::climb_to_best_split(Stretch places, int split) const {
-  const auto explained_at = [&](int s) {
-    return s >= places.first && s < places.last ? sums_->explained_by_two(places, s)
-                                                : -std::numeric_limits<double>::infinity();
-  };
-  double best = explained_at(split);
+int LineSplitter::climb_to_best_split(Stretch places, int farthest) const {
   // The corner may be on either piece.
-  if (const double before = explained_at(split - 1); before > best) {
-    best = before;
-    --split;
+  Split best = better_of(split_at(places, farthest), split_at(places, farthest - 1));
+  for (int stride = std::clamp(places.size() / 4, 1, 8); stride > 1; stride /= 2) {
+    best = step(places, best, stride);
   }
-  int come_from = 0;  // the side on which the last place lies: it is worse
-  for (int stride = std::clamp(places.size() / 4, 1, 8); stride >= 1;) {
-    // The better side, so that a mirrored run is cut at the same place.
-    const double before = come_from < 0 ? best : explained_at(split - stride);
-    const double after = come_from > 0 ? best : explained_at(split + stride);
-    if (std::max(before, after) > best) {
-      const int direction = before > after ? -1 : 1;
-      split += direction * stride;
-      come_from = -direction;
-      best = std::max(before, after);
-    } else {
-      stride /= 2;
-      come_from = 0;
-    }
+  while (true) {
+    const Split next = step(places, best, 1);
+    if (next.place == best.place) return best.place;
+    best = next;
   }
-  return split;
+}
+
+// The better side, so that a mirrored run is cut at the same place.
+LineSplitter::Split LineSplitter::step(Stretch places, const Split& from, int stride) const {
+  return better_of(from,
+                   better_of(split_at(places, from.place - stride), split_at(places, from.place + stride)));
 }
 
 // Each pass moves the pieces that stay to the front.

@@ -29,13 +29,22 @@ class LineSplitter {
   void split(Stretch surface, std::vector<LinePiece>& pieces);
 
  private:
+  /// The last place of the first of two pieces, and how much both explain.
+  struct Split {
+    int place = 0;
+    double explained = 0.0;
+  };
+  static const Split& better_of(const Split& a, const Split& b) { return b.explained > a.explained ? b : a; }
+
   void split_down(Stretch surface, std::vector<LinePiece>& pieces);
   void merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const;
   bool merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) const;
   LinePiece piece_of(Stretch places) const;
   int best_split(Stretch places) const;
   int farthest_from_chord(Stretch places) const;
-  int climb_to_best_split(Stretch places, int split) const;
+  int climb_to_best_split(Stretch places, int farthest) const;
+  Split split_at(Stretch places, int place) const;
+  Split step(Stretch places, const Split& from, int stride) const;
 
   const Echoes* echoes_ = nullptr;
   const RayLineSums* sums_ = nullptr;

@@ -142,7 +142,9 @@ Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) co
     line.bias_m = distance_m / normal.y();
   }
   line.num_points = piece.places.size();
-  for (int i = first; i <= last; ++i) line.error_m = std::max(line.error_m, std::abs(off_m(i)));
+  const auto x_m = Eigen::Map<const Eigen::ArrayXd>(&scan.echoes.x_m[first], line.num_points);
+  const auto y_m = Eigen::Map<const Eigen::ArrayXd>(&scan.echoes.y_m[first], line.num_points);
+  line.error_m = (distance_m - (normal.x() * x_m + normal.y() * y_m)).abs().maxCoeff();
   line.score = 1.0 - 2.0 / line.num_points;
   return line;
 }
