@@ -37,4 +37,12 @@ std::vector<BenchScans> bench_scans() {
   return sets;
 }
 
+std::vector<LaserScan> hall_scans(int num_beams) {
+  sim::SimulationOptions options{.duration_s = 4.0, .seed = 1};
+  options.lms.step_rad = options.lms.fov_rad / (num_beams - 1);
+  options.lms.interlace = false;
+  sim::SimulatedLms sensor(hall_world(), options);
+  return all_scans(sensor);
+}
+
 }  // namespace scanbed::bench

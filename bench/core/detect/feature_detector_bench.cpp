@@ -73,6 +73,22 @@ void lines_by_number_of_corners(benchmark::State& state) {
 }
 BENCHMARK(lines_by_number_of_corners)->RangeMultiplier(2)->Range(2, 32);
 
+void robust_shapes_by_number_of_beams(benchmark::State& state) {
+  const Parts shapes{.name = "shapes", .lines = true, .circles = true};
+  const auto num_beams = static_cast<int>(state.range(0));
+  detect_in_turn(state, bench::hall_scans(num_beams), options_for(shapes, robust_options()));
+  state.counters["beams"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * num_beams, benchmark::Counter::kIsRate);
+}
+BENCHMARK(robust_shapes_by_number_of_beams)
+    ->Arg(181)
+    ->Arg(361)
+    ->Arg(721)
+    ->Arg(1081)
+    ->Arg(1441)
+    ->Arg(2881)
+    ->Arg(5761);
+
 void register_recorded(const std::vector<bench::BenchScans>& sets) {
   static const Parts kParts[] = {
       {"segmentation"},

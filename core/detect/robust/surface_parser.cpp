@@ -13,6 +13,8 @@ constexpr int kMinSurfaceEchoes = 3;
 constexpr int kMinJoinedEchoes = 2;  // of a surface that may be a column's part
 // Between two parts of a column: beams without a nearer echo say that nothing hides its middle.
 constexpr int kMaxLostBeams = 2;
+// Surfaces that are tried as its second part: a scan of many steps towards the sensor has no end of them.
+constexpr std::size_t kMaxSurfacesBetween = 16;
 
 }  // namespace
 
@@ -57,29 +59,27 @@ std::span<LinePiece> SurfaceParser::pieces_of(const Explained& surface) {
 }
 
 void SurfaceParser::join_across_occluders(const SurfacedScan& scan) {
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+  const std::size_t num_surfaces = surfaces_.size();
+  for (std::size_t i = 0; i < num_surfaces; ++i) {
     const int last = surfaces_[i].places.last;
-    const int hidden_until = last_hidden_beam(scan, last);
-    if (hidden_until == scan.echoes.beam[last]) continue;
-    for (std::size_t j = i + 1; j < surfaces_.size(); ++j) {
+    HiddenBeams hidden{.last = scan.echoes.beam[last]};
+    const std::size_t end = std::min(num_surfaces, i + 1 + kMaxSurfacesBetween);
+    for (std::size_t j = i + 1; j < end; ++j) {
       const int first_beam = scan.echoes.beam[surfaces_[j].places.first];
-      if (first_beam > hidden_until + 1) break;
+      if (!is_hidden_before(scan, last, first_beam, hidden)) break;
       if (may_go_on(scan, surfaces_[i], surfaces_[j]) && join(surfaces_[i], surfaces_[j])) break;
     }
   }
 }
 
-// The last of the beams behind an echo that all met something nearer than it.
-int SurfaceParser::last_hidden_beam(const SurfacedScan& scan, int echo) const {
-  int num_lost = 0;
-  int beam = scan.echoes.beam[echo];
-  while (beam + 1 < scan.scan.num_beams()) {
-    const double range_m = scan.scan.range_m[beam + 1];
-    const bool is_nearer = range_m < scan.echoes.range_m[echo];
-    if (!is_nearer && (std::isfinite(range_m) || ++num_lost > kMaxLostBeams)) break;
-    ++beam;
+// Whether all beams behind an echo, up to the one before the given beam, met something nearer than it.
+bool SurfaceParser::is_hidden_before(const SurfacedScan& scan, int echo, int beam, HiddenBeams& hidden) {
+  for (; hidden.last + 1 < beam; ++hidden.last) {
+    const double range_m = scan.scan.range_m[hidden.last + 1];
+    if (range_m < scan.echoes.range_m[echo]) continue;
+    if (std::isfinite(range_m) || ++hidden.num_lost > kMaxLostBeams) return false;
   }
-  return beam;
+  return true;
 }
 
 // Whether both may be parts of one column whose middle is hidden: near enough to each other, and all between

@@ -37,9 +37,15 @@ class SurfaceParser {
     double cost = 0.0;
   };
 
+  /// The beams behind an echo that met something nearer than it.
+  struct HiddenBeams {
+    int last = 0;
+    int num_lost = 0;  ///< of those without echo
+  };
+
   void explain(Stretch surface);
   void join_across_occluders(const SurfacedScan& scan);
-  int last_hidden_beam(const SurfacedScan& scan, int echo) const;
+  static bool is_hidden_before(const SurfacedScan& scan, int echo, int beam, HiddenBeams& hidden);
   bool may_go_on(const SurfacedScan& scan, const Explained& before, const Explained& after) const;
   bool join(Explained& before, Explained& after);
   void release(Explained& surface);

@@ -6,6 +6,7 @@
 #include "core/detect/feature_detector.hpp"
 #include "core/score/scorer.hpp"
 #include "tests/support/ideal_scene.hpp"
+#include "tests/support/least_time.hpp"
 
 namespace scanbed {
 namespace {
@@ -89,6 +90,30 @@ TEST(SurfaceParserTest, HugeScansAndHugeRangesAreFine) {
   EXPECT_NO_THROW(features_of(scan));
   scan.range_m.assign(361, 1e300);
   EXPECT_NO_THROW(features_of(scan));
+}
+
+// A spiral of small steps to and fro, ever nearer: each surface hides what lies behind from all that follow.
+LaserScan stairs(int num_beams) {
+  LaserScan scan;
+  scan.geometry.num_beams = num_beams;
+  scan.geometry.step_rad = 2 * kPi / num_beams;
+  for (int i = 0; i < num_beams; ++i) {
+    scan.range_m.push_back(0.6 + 0.5 * (num_beams - i) / num_beams + 0.3 * ((i / 4) % 2));
+  }
+  return scan;
+}
+
+double least_seconds_a_beam(int num_beams) {
+  const LaserScan scan = stairs(num_beams);
+  DetectorOptions options = robust_options();
+  options.leg.enabled = false;
+  FeatureDetector detector(options);
+  return tests::least_seconds(0.0, [&] { detector.detect(scan); }) / num_beams;
+}
+
+TEST(SurfaceParserTest, ManySurfacesThatHideEachOtherTakeNoLongerEach) {
+  // Were each compared with all behind it, 16 times as many would take 16 times as long each.
+  EXPECT_LT(least_seconds_a_beam(16'000), 4.0 * least_seconds_a_beam(1000));
 }
 
 TEST(SurfaceParserTest, AColumnThatAPostCutsInTwoIsOneColumn) {
