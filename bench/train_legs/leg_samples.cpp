@@ -11,7 +11,6 @@
 #include "bench/results/labels.hpp"
 #include "bench/train_legs/leg_worlds.hpp"
 #include "core/geometry/angles.hpp"
-#include "core/geometry/pose2.hpp"
 #include "hw/recording/carmen_log.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/sensor/simulated_lms.hpp"
@@ -30,13 +29,6 @@ constexpr double kMinCoveredShare = 0.65;
 constexpr double kMaxLegShare = 0.4;
 constexpr double kMaxPostShare = 0.3;
 constexpr double kMaxLostShare = 0.03;
-
-// Of what belongs to a cut-out person, from its labels.
-constexpr double kCutOutGate_m = 0.22;
-constexpr double kMaxStride_m = 0.7;
-constexpr double kMinRoom_m = 0.15;
-constexpr double kMaxRoom_m = 0.9;
-constexpr int kPasteTrials = 20;
 
 using Judge = std::function<LegAnswer(const LegSample&)>;
 
@@ -124,68 +116,6 @@ LegAnswer by_truth(const LegSample& sample, const LaserScan& scan, const Truth& 
   return is_none ? LegAnswer::kNo : LegAnswer::kUnknown;
 }
 
-// All that is no leg is in the backgrounds already.
-LegAnswer by_pasted(const LegSample& sample, const std::vector<Eigen::Vector2d>& places) {
-  const bool is_leg = std::any_of(places.begin(), places.end(), [&](const Eigen::Vector2d& place) {
-    return (place - sample.center_m).norm() <= kLegGate_m;
-  });
-  return is_leg ? LegAnswer::kYes : LegAnswer::kUnknown;
-}
-
-/// The echoes around the labels of one person, and those labels.
-struct CutOut {
-  std::vector<int> beam;
-  std::vector<double> range_m;
-  std::vector<Eigen::Vector2d> labels_m;
-};
-
-Eigen::Vector2d point_m(const LaserScan& scan, int beam, double range_m) {
-  const double bearing_rad = scan.geometry.bearing_rad(beam);
-  return range_m * Eigen::Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
-}
-
-// Labels that a stride can join are a person's.
-std::vector<CutOut> cut_out(const LaserScan& scan, std::vector<Eigen::Vector2d> labels) {
-  std::vector<CutOut> people;
-  while (!labels.empty()) {
-    CutOut person;
-    person.labels_m.push_back(labels.back());
-    labels.pop_back();
-    for (auto it = labels.begin(); it != labels.end();) {
-      const bool joins = (*it - person.labels_m.front()).norm() < kMaxStride_m;
-      if (joins) person.labels_m.push_back(*it);
-      it = joins ? labels.erase(it) : it + 1;
-    }
-    for (int i = 0; i < scan.num_beams(); ++i) {
-      if (!scan.has_echo(i)) continue;
-      const Eigen::Vector2d p_m = point_m(scan, i, scan.range_m[i]);
-      const bool is_own =
-          std::any_of(person.labels_m.begin(), person.labels_m.end(),
-                      [&](const Eigen::Vector2d& label) { return (label - p_m).norm() < kCutOutGate_m; });
-      if (!is_own) continue;
-      person.beam.push_back(i);
-      person.range_m.push_back(scan.range_m[i]);
-    }
-    if (person.beam.size() >= 3) people.push_back(std::move(person));
-  }
-  return people;
-}
-
-// Puts a person into the scan, turned by so many beams, unless something hides it or stands too near.
-bool paste(const CutOut& person, int turn, double room_m, LaserScan& scan) {
-  for (std::size_t k = 0; k < person.beam.size(); ++k) {
-    const int beam = person.beam[k] + turn;
-    if (beam < 0 || beam >= scan.num_beams() || !(scan.range_m[beam] > person.range_m[k])) return false;
-    const Eigen::Vector2d p_m = point_m(scan, beam, person.range_m[k]);
-    for (int i = 0; i < scan.num_beams(); ++i) {
-      if (scan.has_echo(i) && (point_m(scan, i, scan.range_m[i]) - p_m).norm() < room_m) return false;
-    }
-  }
-  for (std::size_t k = 0; k < person.beam.size(); ++k)
-    scan.range_m[person.beam[k] + turn] = person.range_m[k];
-  return true;
-}
-
 }  // namespace
 
 void sample_labelled(const std::filesystem::path& log, const std::filesystem::path& labels,
@@ -207,57 +137,6 @@ void sample_empty(const std::filesystem::path& log, const LegSampleSink& use) {
   for_each_scan(log, [&](const LaserScan& scan) {
     sampler.sample(
         scan, static_cast<int>(scan.index), [](const LegSample&) { return LegAnswer::kNo; }, use);
-  });
-}
-
-std::vector<LaserScan> scans_of(const std::filesystem::path& log) {
-  std::vector<LaserScan> scans;
-  for_each_scan(log, [&](const LaserScan& scan) { scans.push_back(scan); });
-  return scans;
-}
-
-std::vector<LaserScan> simulated_backgrounds(std::uint64_t first_seed, int num_worlds) {
-  std::vector<LaserScan> scans;
-  LaserScan scan;
-  for (std::uint64_t seed = first_seed; seed < first_seed + num_worlds; ++seed) {
-    sim::SimulationOptions options{.lms = leg_sensor(seed)};
-    options.lms.step_rad = radians(0.5);
-    options.lms.fov_rad = radians(180.0);
-    options.duration_s = 0.5 * options.lms.scan_period_s;
-    options.seed = seed;
-    sim::World world = leg_world(seed);
-    std::erase_if(world.solids,
-                  [](const sim::Solid& solid) { return solid.label == "leg" || solid.label == "post"; });
-    if (sim::SimulatedLms laser(world, options); laser.next(scan, RangeSensor::Seconds(0.0)))
-      scans.push_back(scan);
-  }
-  return scans;
-}
-
-void sample_pasted(const std::filesystem::path& log, const std::filesystem::path& labels,
-                   const std::vector<LaserScan>& backgrounds, int copies, const LegSampleSink& use) {
-  const Labels legs = read_leg_labels(labels, 3);
-  sim::WorldDice dice(1, "paste");
-  Sampler sampler;
-  for_each_scan(log, [&](const LaserScan& scan) {
-    const auto found = legs.find(static_cast<int>(scan.index));
-    if (found == legs.end()) return;
-    for (const CutOut& person : cut_out(scan, found->second)) {
-      for (int copy = 0; copy < copies; ++copy) {
-        for (int trial = 0; trial < kPasteTrials; ++trial) {
-          LaserScan made = backgrounds[dice.whole(0, static_cast<int>(backgrounds.size()) - 1)];
-          const int turn = dice.whole(-person.beam.front(), made.num_beams() - 1 - person.beam.back());
-          if (!paste(person, turn, dice.uniform(kMinRoom_m, kMaxRoom_m), made)) continue;
-          const Pose2 rotation{Eigen::Vector2d::Zero(), turn * made.geometry.step_rad};
-          std::vector<Eigen::Vector2d> places;
-          for (const Eigen::Vector2d& label : person.labels_m) places.push_back(rotation * label);
-          sampler.sample(
-              made, static_cast<int>(scan.index), [&](const LegSample& s) { return by_pasted(s, places); },
-              use);
-          break;
-        }
-      }
-    }
   });
 }
 

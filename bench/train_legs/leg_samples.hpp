@@ -35,19 +35,6 @@ void sample_labelled(const std::filesystem::path& log, const std::filesystem::pa
 /// Candidates of a recording without people: none is a leg.
 void sample_empty(const std::filesystem::path& log, const LegSampleSink& use);
 
-/// Legs of a labelled recording, cut out and put into other scans: what they look like with other things
-/// around them. Each labelled scan gives as many samples as `copies` that find room.
-///
-/// @param backgrounds  scans without people, of the same beams as the recording.
-void sample_pasted(const std::filesystem::path& log, const std::filesystem::path& labels,
-                   const std::vector<LaserScan>& backgrounds, int copies, const LegSampleSink& use);
-
-/// All scans of a recording.
-std::vector<LaserScan> scans_of(const std::filesystem::path& log);
-
-/// One scan of each of so many simulated worlds without people, of the LMS 200's beams.
-std::vector<LaserScan> simulated_backgrounds(std::uint64_t first_seed, int num_worlds);
-
 /// Candidates of simulated worlds (leg_worlds.hpp), one scan each, numbered by their seeds. A leg if at least
 /// 75 % of its echoes come from one leg and are at least 65 % of that leg's; none if fewer than 40 % come
 /// from legs and fewer than 30 % from posts that might be legs.
