@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/angles.hpp"
+#include "core/geometry/polar.hpp"
 #include "sim/generate/world_builder.hpp"
 
 namespace scanbed::bench {
@@ -12,10 +13,6 @@ namespace {
 
 using Eigen::Vector2d;
 using sim::World;
-
-Vector2d polar(double bearing_rad, double length_m) {
-  return length_m * Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
-}
 
 using Builder = sim::WorldBuilder;
 

@@ -7,6 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polar.hpp"
+#include "core/geometry/pose2.hpp"
+#include "sim/generate/hall_outline.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/sensor/sensor_presets.hpp"
 #include "sim/world/solid_geometry.hpp"
@@ -19,10 +23,6 @@ using sim::World;
 
 constexpr int kTrials = 40;
 constexpr double kRobotRoom_m = 0.28;
-
-Vector2d polar(double bearing_rad, double length_m) {
-  return length_m * Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
-}
 
 // The robot stands at the origin and looks along x.
 class LegWorldBuilder {
@@ -96,44 +96,21 @@ class LegWorldBuilder {
     const double half_y_m = corridor ? dice_.uniform(0.7, 1.5) : dice_.uniform(1.2, 6.0);
     const Vector2d center_m(dice_.uniform(-0.9, 0.9) * (half_x_m - 0.4),
                             dice_.uniform(-0.9, 0.9) * (half_y_m - 0.4));
-    const sim::WallChain hall = hall_around(half_x_m, half_y_m);
-    sim::WallChain placed{{}, true};
-    for (const Vector2d& c_m : hall.corners_m) {
-      const Vector2d d_m = c_m - center_m;
-      placed.corners_m.emplace_back(std::cos(turn_rad) * d_m.x() - std::sin(turn_rad) * d_m.y(),
-                                    std::sin(turn_rad) * d_m.x() + std::cos(turn_rad) * d_m.y());
-    }
+    const sim::WallNiches niches{.chance = dice_.uniform(0.0, 0.8),
+                                 .first = {0.3, 1.5},
+                                 .next = {1.4, 3.0},
+                                 .last_m = 1.5,
+                                 .width = {0.08, 1.2},
+                                 .depth = {-0.15, 0.35}};
+    sim::WallChain hall = sim::hall_outline({half_x_m, half_y_m}, niches, dice_);
+    const Pose2 turned{Vector2d::Zero(), turn_rad};
     low_m_ = high_m_ = Vector2d::Zero();
-    for (const Vector2d& c_m : placed.corners_m) {
+    for (Vector2d& c_m : hall.corners_m) {
+      c_m = turned * (c_m - center_m);
       low_m_ = low_m_.cwiseMin(c_m);
       high_m_ = high_m_.cwiseMax(c_m);
     }
-    add_with_doors(placed);
-  }
-
-  sim::WallChain hall_around(double half_x_m, double half_y_m) {
-    const Vector2d corners_m[] = {
-        {-half_x_m, -half_y_m}, {half_x_m, -half_y_m}, {half_x_m, half_y_m}, {-half_x_m, half_y_m}};
-    sim::WallChain chain{{}, true};
-    const double niche_chance = dice_.uniform(0.0, 0.8);
-    for (int i = 0; i < 4; ++i) {
-      const Vector2d a_m = corners_m[i];
-      const Vector2d along = (corners_m[(i + 1) % 4] - a_m).normalized();
-      const double length_m = (corners_m[(i + 1) % 4] - a_m).norm();
-      const Vector2d outwards(along.y(), -along.x());
-      chain.corners_m.push_back(a_m);
-      for (double at_m = dice_.uniform(0.3, 1.5); at_m + 1.5 < length_m; at_m += dice_.uniform(1.4, 3.0)) {
-        if (!dice_.chance(niche_chance)) continue;
-        const double width_m = dice_.uniform(0.08, 1.2);
-        const Vector2d step_m = dice_.uniform(-0.15, 0.35) * outwards;
-        const Vector2d from_m = a_m + at_m * along;
-        const Vector2d to_m = from_m + width_m * along;
-        for (const Vector2d& c_m : {from_m, Vector2d(from_m + step_m), Vector2d(to_m + step_m), to_m}) {
-          chain.corners_m.push_back(c_m);
-        }
-      }
-    }
-    return chain;
+    add_with_doors(hall);
   }
 
   // Walls with pieces missing: doors, and passages behind which there is nothing.
@@ -200,12 +177,10 @@ class LegWorldBuilder {
   }
 
   static sim::Polygon oval(const Vector2d& p_m, const Vector2d& half_m, double turn_rad, int sides) {
+    const Pose2 pose{p_m, turn_rad};
     sim::Polygon polygon;
     for (int i = 0; i < sides; ++i) {
-      const Vector2d q_m = half_m.cwiseProduct(polar(2.0 * kPi * i / sides, 1.0));
-      polygon.corners_m.push_back(p_m +
-                                  Vector2d(std::cos(turn_rad) * q_m.x() - std::sin(turn_rad) * q_m.y(),
-                                           std::sin(turn_rad) * q_m.x() + std::cos(turn_rad) * q_m.y()));
+      polygon.corners_m.push_back(pose * half_m.cwiseProduct(polar(2.0 * kPi * i / sides, 1.0)));
     }
     return polygon;
   }
@@ -218,20 +193,19 @@ class LegWorldBuilder {
     const double half_y_m = table ? dice_.uniform(0.25, 0.5) : dice_.uniform(0.17, 0.27);
     if (!place(table ? 0.3 : std::hypot(half_x_m, half_y_m), p_m)) return;
     const double leg_m = table ? dice_.uniform(0.012, 0.035) : dice_.uniform(0.008, 0.022);
-    const double turn_rad = turn();
+    const Pose2 pose{p_m, turn()};
     const bool star = !table && dice_.chance(0.3);
     const int count = star ? 5 : 4;
     for (int i = 0; i < count; ++i) {
       const Vector2d q_m = star
                                ? polar(2.0 * kPi * i / 5, half_x_m)
                                : Vector2d((i % 2 == 0 ? 1 : -1) * half_x_m, (i / 2 == 0 ? 1 : -1) * half_y_m);
-      const Vector2d at_m = p_m + Vector2d(std::cos(turn_rad) * q_m.x() - std::sin(turn_rad) * q_m.y(),
-                                           std::sin(turn_rad) * q_m.x() + std::cos(turn_rad) * q_m.y());
+      const Vector2d at_m = pose * q_m;
       if (clearance_m(at_m) < leg_m) continue;
       if (dice_.chance(0.5)) {
         add("furniture", sim::Cylinder{at_m, leg_m});
       } else {
-        add("furniture", sim::Box{{at_m, turn_rad}, Vector2d::Constant(2.0 * leg_m)});
+        add("furniture", sim::Box{{at_m, pose.theta_rad}, Vector2d::Constant(2.0 * leg_m)});
       }
     }
     if (star && clearance_m(p_m) > 0.03) add("furniture", sim::Cylinder{p_m, dice_.uniform(0.015, 0.03)});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/angles.hpp"
+#include "core/geometry/polar.hpp"
 #include "sim/world/body.hpp"
 #include "sim/world/furniture.hpp"
 #include "sim/world/solid_geometry.hpp"
@@ -19,10 +20,6 @@ constexpr double kMinGap_m = 0.3;  // between things that stand free
 constexpr double kRobotClearance_m = 0.4;
 constexpr double kPersonRoom_m = 0.4;
 constexpr int kTrials = 40;
-
-Vector2d polar(double bearing_rad, double length_m) {
-  return length_m * Vector2d(std::cos(bearing_rad), std::sin(bearing_rad));
-}
 
 }  // namespace
 
@@ -62,29 +59,13 @@ bool WorldBuilder::place(double radius_m, Vector2d& p_m) {
 
 void WorldBuilder::put_hall(const Vector2d& half_size_m, double niche_chance) {
   half_m = half_size_m;
-  const Vector2d corners_m[] = {-half_m, {half_m.x(), -half_m.y()}, half_m, {-half_m.x(), half_m.y()}};
-  WallChain chain{{}, true};
-  for (int i = 0; i < 4; ++i) {
-    const Vector2d a_m = corners_m[i];
-    const Vector2d along = (corners_m[(i + 1) % 4] - a_m).normalized();
-    const double length_m = (corners_m[(i + 1) % 4] - a_m).norm();
-    const Vector2d outwards(along.y(), -along.x());
-    chain.corners_m.push_back(a_m);
-    double at_m = dice.uniform(0.5, 2.0);
-    while (at_m + 2.0 < length_m) {
-      if (dice.chance(niche_chance)) {
-        const double width_m = dice.uniform(0.8, 1.2);
-        const Vector2d step_m = dice.uniform(0.1, 0.35) * outwards;
-        const Vector2d from_m = a_m + at_m * along;
-        const Vector2d to_m = from_m + width_m * along;
-        for (const Vector2d& c_m : {from_m, Vector2d(from_m + step_m), Vector2d(to_m + step_m), to_m}) {
-          chain.corners_m.push_back(c_m);
-        }
-      }
-      at_m += dice.uniform(1.8, 3.5);
-    }
-  }
-  add("wall", chain);
+  const WallNiches niches{.chance = niche_chance,
+                          .first = {0.5, 2.0},
+                          .next = {1.8, 3.5},
+                          .last_m = 2.0,
+                          .width = {0.8, 1.2},
+                          .depth = {0.1, 0.35}};
+  add("wall", hall_outline(half_m, niches, dice));
 }
 
 void WorldBuilder::put_partition() {

@@ -6,16 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "sim/generate/hall_outline.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/world/world.hpp"
 
 namespace scanbed::sim {
-
-/// From the least to the greatest.
-struct Span_m {
-  double least_m = 0.0;
-  double greatest_m = 0.0;
-};
 
 /// Builds a random world: first the walls, then the robot, then one thing after the other, each clear of
 /// those before it and of the robot's way. What fits nowhere in 40 trials is left out.
