@@ -2,13 +2,10 @@
 #include "bench/results/recorded_results.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <functional>
-#include <string>
 #include <tuple>
 
+#include "bench/results/recorded_scans.hpp"
 #include "core/detect/feature_detector.hpp"
-#include "hw/recording/carmen_log.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -53,15 +50,6 @@ const Places& places_of(const Labels& labels, int scan) {
   static const Places kNone;
   const auto it = labels.find(scan);
   return it == labels.end() ? kNone : it->second;
-}
-
-int for_each_scan(const std::filesystem::path& log, const std::function<void(const LaserScan&)>& use) {
-  hw::CarmenLog sensor(log, {},
-                       [](const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); });
-  LaserScan scan;
-  int num_scans = 0;
-  for (; sensor.next(scan, RangeSensor::Seconds(0.0)); ++num_scans) use(scan);
-  return num_scans;
 }
 
 double median(std::vector<double> values) {

@@ -2,14 +2,12 @@
 #include "bench/results/tracked_results.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <string>
 #include <tuple>
 #include <vector>
 
+#include "bench/results/recorded_scans.hpp"
 #include "core/detect/feature_detector.hpp"
 #include "core/track/tracker.hpp"
-#include "hw/recording/carmen_log.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -48,23 +46,19 @@ int num_found(const std::vector<Eigen::Vector2d>& labels, const std::vector<Trac
 
 TrackedLegResult tracked_legs_in_recording(const std::filesystem::path& log, const Labels& labels,
                                            const TrackedSetup& setup, const LegForest& forest) {
-  hw::CarmenLog sensor(log, {},
-                       [](const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); });
   FeatureDetector detector(setup.detector, forest);
   Tracker tracker(setup.tracker);
   TrackedLegResult result;
-  LaserScan scan;
-  while (sensor.next(scan, RangeSensor::Seconds(0.0))) {
-    ++result.num_scans;
+  result.num_scans = for_each_scan(log, [&](const LaserScan& scan) {
     const std::vector<Track>& tracks = tracker.update(scan, detector.detect(scan));
     result.num_tracks_of_scan.push_back(static_cast<int>(
         std::count_if(tracks.begin(), tracks.end(), [](const Track& track) { return legs_of(track) > 0; })));
     result.num_tracks += result.num_tracks_of_scan.back();
     const auto found = labels.find(static_cast<int>(scan.index));
-    if (found == labels.end()) continue;
+    if (found == labels.end()) return;
     result.num_labels += static_cast<int>(found->second.size());
     result.num_found += num_found(found->second, tracks);
-  }
+  });
   return result;
 }
 

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "bench/results/labels.hpp"
+#include "bench/results/recorded_scans.hpp"
 #include "bench/train_legs/leg_worlds.hpp"
 #include "core/geometry/angles.hpp"
-#include "hw/recording/carmen_log.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/sensor/simulated_lms.hpp"
 
@@ -59,13 +58,6 @@ class Sampler {
   LegFeatureReader feature_reader_;
   LegFeatureTable table_;
 };
-
-void for_each_scan(const std::filesystem::path& log, const std::function<void(const LaserScan&)>& use) {
-  hw::CarmenLog sensor(log, {},
-                       [](const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); });
-  LaserScan scan;
-  while (sensor.next(scan, RangeSensor::Seconds(0.0))) use(scan);
-}
 
 LegAnswer by_labels(const LegSample& sample, const std::vector<Eigen::Vector2d>& labels) {
   double nearest_m = kNoLegGate_m + 1.0;
