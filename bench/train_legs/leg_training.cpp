@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include "core/detect/leg/keep_best_legs.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -13,7 +16,6 @@ constexpr double kRecordedWeight = 20.0;
 // Simulated legs stand in places where people seldom stand, and must not drown those that do.
 constexpr double kSimulatedLegWeight = 0.3;
 constexpr std::uint64_t kUnseenSeed = 1000001;
-constexpr double kApart_m = 0.10;
 
 constexpr std::array kCheckpoints = {20, 50, 90};
 constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
@@ -45,17 +47,16 @@ void balance(LegTrainingRows& rows) {
   }
 }
 
-float sum_of(const std::vector<LegTree>& trees, const LegSample& sample, int num_trees) {
-  float sum = 0.0F;
-  for (int t = 0; t < num_trees; ++t) {
-    const LegTree& tree = trees[t];
-    int leaf = 0;
-    for (int level = 0; level < LegTree::kDepth; ++level) {
-      if (sample.features[tree.feature[level]] > tree.threshold[level]) leaf |= 1 << level;
-    }
-    sum += tree.value[leaf];
+// Sums of the first trees, of all samples.
+std::vector<float> sums_of(std::span<const LegTree> trees, std::span<const LegSample> samples) {
+  LegFeatureTable table;
+  table.resize(static_cast<int>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (int f = 0; f < kNumLegFeatures; ++f) table.row(f)[i] = samples[i].features[f];
   }
-  return sum;
+  std::vector<float> sums;
+  LegForestScorer().score({.trees = trees}, table, sums);
+  return sums;
 }
 
 /// A detection whose answer is known, with its sum.
@@ -64,30 +65,29 @@ struct Judged {
   bool is_leg = false;
 };
 
-bool are_one(const LegSample& a, const LegSample& b) {
-  const bool overlap = a.beams.first <= b.beams.last && b.beams.first <= a.beams.last;
-  return overlap || (a.center_m - b.center_m).norm() < kApart_m;
+// What non-maximum suppression leaves of one scan's candidates.
+void judge_scan(std::span<const LegSample> samples, std::span<const float> sums,
+                std::vector<Judged>& judged) {
+  std::vector<Leg> legs;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    legs.push_back({samples[i].beams, samples[i].center_m, sums[i]});
+  }
+  keep_best_legs(legs);
+  for (const Leg& leg : legs) {
+    const auto sample = std::find_if(samples.begin(), samples.end(), [&](const LegSample& s) {
+      return s.beams.first == leg.beams.first && s.beams.last == leg.beams.last;
+    });
+    if (sample->answer == LegAnswer::kUnknown) continue;
+    judged.push_back({leg.score, sample->answer == LegAnswer::kYes});
+  }
 }
 
-// What non-maximum suppression leaves of the scans' candidates.
-void judge(const std::vector<LegTree>& trees, const std::vector<LegSample>& samples,
-           std::vector<Judged>& judged) {
-  const int num_trees = static_cast<int>(trees.size());
+void judge(std::span<const LegTree> trees, std::span<const LegSample> samples, std::vector<Judged>& judged) {
+  const std::vector<float> sums = sums_of(trees, samples);
   for (std::size_t begin = 0; begin < samples.size();) {
     std::size_t end = begin;
-    std::vector<std::pair<float, const LegSample*>> scored;
-    for (; end < samples.size() && samples[end].scan == samples[begin].scan; ++end) {
-      scored.emplace_back(sum_of(trees, samples[end], num_trees), &samples[end]);
-    }
-    std::stable_sort(scored.begin(), scored.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<const LegSample*> kept;
-    for (const auto& [sum, sample] : scored) {
-      if (std::any_of(kept.begin(), kept.end(), [&](const LegSample* k) { return are_one(*k, *sample); }))
-        continue;
-      kept.push_back(sample);
-      if (sample->answer != LegAnswer::kUnknown) judged.push_back({sum, sample->answer == LegAnswer::kYes});
-    }
+    while (end < samples.size() && samples[end].scan == samples[begin].scan) ++end;
+    judge_scan(samples.subspan(begin, end - begin), std::span(sums).subspan(begin, end - begin), judged);
     begin = end;
   }
 }
@@ -118,18 +118,15 @@ void calibrate(const std::vector<Judged>& judged, OwnedLegForest& forest) {
 
 // Bounds that give up next to nothing of what would be reported in the end.
 void set_checkpoints(const LegCorpus& corpus, OwnedLegForest& forest) {
-  const auto num_trees = static_cast<int>(forest.trees.size());
-  std::vector<const LegSample*> likely;
+  std::vector<LegSample> likely;
   for (const auto* samples : {&corpus.pos1, &corpus.pos2, &corpus.nobody, &corpus.unseen}) {
-    for (const LegSample& sample : *samples) {
-      const float sum = sum_of(forest.trees, sample, num_trees);
-      if (forest.view().probability(sum) >= kLeastProbability) likely.push_back(&sample);
+    const std::vector<float> sums = sums_of(forest.trees, *samples);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (forest.view().probability(sums[i]) >= kLeastProbability) likely.push_back((*samples)[i]);
     }
   }
   for (const int count : kCheckpoints) {
-    std::vector<float> sums;
-    sums.reserve(likely.size());
-    for (const LegSample* sample : likely) sums.push_back(sum_of(forest.trees, *sample, count));
+    std::vector<float> sums = sums_of(std::span(forest.trees).first(count), likely);
     const auto lost =
         sums.begin() + static_cast<std::ptrdiff_t>(kLostShare * static_cast<double>(sums.size()));
     std::nth_element(sums.begin(), lost, sums.end());

@@ -22,8 +22,6 @@ class ForestLegDetector {
               std::vector<Leg>& legs);
 
  private:
-  void keep_best(std::vector<Leg>& legs);
-
   LegBeamReader beam_reader_;
   LegBeams beams_;
   LegCandidateFinder finder_;
