@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "bench/train_legs/leg_calibration.hpp"
 #include "core/detect/leg/keep_best_legs.hpp"
 
 namespace scanbed::bench {
@@ -59,15 +60,9 @@ std::vector<float> sums_of(std::span<const LegTree> trees, std::span<const LegSa
   return sums;
 }
 
-/// A detection whose answer is known, with its sum.
-struct Judged {
-  double sum = 0.0;
-  bool is_leg = false;
-};
-
 // What non-maximum suppression leaves of one scan's candidates.
 void judge_scan(std::span<const LegSample> samples, std::span<const float> sums,
-                std::vector<Judged>& judged) {
+                std::vector<JudgedSum>& judged) {
   std::vector<Leg> legs;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     legs.push_back({samples[i].beams, samples[i].center_m, sums[i]});
@@ -82,7 +77,8 @@ void judge_scan(std::span<const LegSample> samples, std::span<const float> sums,
   }
 }
 
-void judge(std::span<const LegTree> trees, std::span<const LegSample> samples, std::vector<Judged>& judged) {
+void judge(std::span<const LegTree> trees, std::span<const LegSample> samples,
+           std::vector<JudgedSum>& judged) {
   const std::vector<float> sums = sums_of(trees, samples);
   for (std::size_t begin = 0; begin < samples.size();) {
     std::size_t end = begin;
@@ -90,30 +86,6 @@ void judge(std::span<const LegTree> trees, std::span<const LegSample> samples, s
     judge_scan(samples.subspan(begin, end - begin), std::span(sums).subspan(begin, end - begin), judged);
     begin = end;
   }
-}
-
-// Logistic regression on one variable, by Newton's method.
-void calibrate(const std::vector<Judged>& judged, OwnedLegForest& forest) {
-  double a = 1.0;
-  double b = 0.0;
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    double ga = 0, gb = 0, haa = 1e-9, hab = 0, hbb = 1e-9;
-    for (const Judged& j : judged) {
-      const double p = 1.0 / (1.0 + std::exp(-(a * j.sum + b)));
-      const double slope = (j.is_leg ? 1.0 : 0.0) - p;
-      const double curvature = p * (1.0 - p);
-      ga += slope * j.sum;
-      gb += slope;
-      haa += curvature * j.sum * j.sum;
-      hab += curvature * j.sum;
-      hbb += curvature;
-    }
-    const double det = haa * hbb - hab * hab;
-    a += (ga * hbb - gb * hab) / det;
-    b += (gb * haa - ga * hab) / det;
-  }
-  forest.slope = a;
-  forest.offset = b;
 }
 
 // Bounds that give up next to nothing of what would be reported in the end.
@@ -126,11 +98,8 @@ void set_checkpoints(const LegCorpus& corpus, OwnedLegForest& forest) {
     }
   }
   for (const int count : kCheckpoints) {
-    std::vector<float> sums = sums_of(std::span(forest.trees).first(count), likely);
-    const auto lost =
-        sums.begin() + static_cast<std::ptrdiff_t>(kLostShare * static_cast<double>(sums.size()));
-    std::nth_element(sums.begin(), lost, sums.end());
-    forest.checkpoints.push_back({count, *lost - kMargin});
+    const std::vector<float> sums = sums_of(std::span(forest.trees).first(count), likely);
+    forest.checkpoints.push_back({count, bound_that_loses(kLostShare, sums) - kMargin});
   }
 }
 
@@ -170,7 +139,7 @@ OwnedLegForest train_legs(const LegCorpus& corpus, const HeldOut& held_out) {
 }
 
 OwnedLegForest train_detector(const LegCorpus& corpus) {
-  std::vector<Judged> judged;
+  std::vector<JudgedSum> judged;
   for (int part = 0; part < kNumNobodyParts; ++part) {
     for (const bool first : {true, false}) {
       const auto trees = train_legs(corpus, {.pos1 = first, .pos2 = !first, .nobody_part = part}).trees;
@@ -183,7 +152,9 @@ OwnedLegForest train_detector(const LegCorpus& corpus) {
     }
   }
   OwnedLegForest forest = train_legs(corpus, {});
-  calibrate(judged, forest);
+  const Logistic logistic = fit_logistic(judged);
+  forest.slope = logistic.slope;
+  forest.offset = logistic.offset;
   set_checkpoints(corpus, forest);
   return forest;
 }
