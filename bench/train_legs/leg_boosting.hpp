@@ -21,9 +21,9 @@ struct LegTrainingRows {
 };
 
 struct BoostingOptions {
-  int num_trees = 150;
+  int num_trees = 300;
   double rate = 0.12;  ///< share of a tree's own best values that is taken
-  int num_tries = 8;   ///< random questions of which each level asks the best
+  int num_tries = 16;  ///< random questions of which each level asks the best
   double share = 0.7;  ///< of the rows that a tree sees
   double ridge = 1.0;  ///< added to the curvature of every leaf, in rows of mean weight
   std::uint64_t seed = 1;

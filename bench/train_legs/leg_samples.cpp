@@ -11,6 +11,8 @@
 #include "bench/results/recorded_scans.hpp"
 #include "bench/train_legs/leg_worlds.hpp"
 #include "core/geometry/angles.hpp"
+#include "core/score/match_options.hpp"
+#include "sim/generate/random_world.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/sensor/simulated_lms.hpp"
 
@@ -28,6 +30,10 @@ constexpr double kMinCoveredShare = 0.65;
 constexpr double kMaxLegShare = 0.4;
 constexpr double kMaxPostShare = 0.3;
 constexpr double kMaxLostShare = 0.03;
+constexpr double kMinPostRadius_m = 0.035;
+
+constexpr double kLaserHeight_m = 0.28;
+constexpr double kBetweenScans_s = 2.0;  // a walker's legs stand otherwise then
 
 using Judge = std::function<LegAnswer(const LegSample&)>;
 
@@ -70,12 +76,19 @@ LegAnswer by_labels(const LegSample& sample, const std::vector<Eigen::Vector2d>&
   return is_labelled_place && nearest_m > kNoLegGate_m ? LegAnswer::kNo : LegAnswer::kUnknown;
 }
 
-// The leg that a beam met: "leg12" and, of its outline's third edge, "leg12.2" are one.
+// The leg that a beam met: "leg12" and, of its outline's third edge, "leg12.2" are one; a walker has two.
 std::string leg_of(const Truth& truth, int beam) {
   const int object = truth.beams[beam].object;
   if (object == kNoObject || truth.objects[object].label != "leg") return {};
   const std::string& id = truth.objects[object].id;
+  if (id.ends_with("_leg")) return id;
   return id.substr(0, id.find('.'));
+}
+
+// A post of a leg's size is one for all that a single scan shows.
+bool might_be_leg(const ObjectTruth& object) {
+  return object.primitive == Primitive::kCircle && object.radius_m > kMinPostRadius_m &&
+         object.radius_m < MatchOptions{}.narrow_cylinder_m;
 }
 
 LegAnswer by_truth(const LegSample& sample, const LaserScan& scan, const Truth& truth) {
@@ -86,7 +99,7 @@ LegAnswer by_truth(const LegSample& sample, const LaserScan& scan, const Truth& 
     if (!scan.has_echo(i)) continue;
     ++num_echoes;
     const int object = truth.beams[i].object;
-    if (object != kNoObject && truth.objects[object].label == "post") ++num_on_posts;
+    if (object != kNoObject && might_be_leg(truth.objects[object])) ++num_on_posts;
     const std::string leg = leg_of(truth, i);
     if (!leg.empty()) ++num_on_leg[leg];
   }
@@ -106,6 +119,21 @@ LegAnswer by_truth(const LegSample& sample, const LaserScan& scan, const Truth& 
   }
   const bool is_none = num_on_legs < kMaxLegShare * num_echoes && num_on_posts < kMaxPostShare * num_echoes;
   return is_none ? LegAnswer::kNo : LegAnswer::kUnknown;
+}
+
+struct TruthJudge {
+  const LaserScan& scan;
+  const Truth& truth;
+
+  LegAnswer operator()(const LegSample& sample) const { return by_truth(sample, scan, truth); }
+};
+
+void lose_echoes(std::uint64_t seed, LaserScan& scan) {
+  sim::WorldDice dice(seed, "lost echoes");
+  const double lost_share = dice.uniform(0.0, kMaxLostShare);
+  for (double& range_m : scan.range_m) {
+    if (dice.chance(lost_share)) range_m = kNoEcho;
+  }
 }
 
 }  // namespace
@@ -141,15 +169,26 @@ void sample_simulated(std::uint64_t first_seed, int num_worlds, const LegSampleS
     options.seed = seed;
     sim::SimulatedLms laser(leg_world(seed), options);
     if (!laser.next(scan, RangeSensor::Seconds(0.0))) continue;
-    sim::WorldDice dice(seed, "lost echoes");
-    const double lost_share = dice.uniform(0.0, kMaxLostShare);
-    for (double& range_m : scan.range_m) {
-      if (dice.chance(lost_share)) range_m = kNoEcho;
+    lose_echoes(seed, scan);
+    sampler.sample(scan, static_cast<int>(seed), TruthJudge{scan, *laser.truth()}, use);
+  }
+}
+
+void sample_random_worlds(std::uint64_t first_seed, int num_worlds, const LegSampleSink& use) {
+  Sampler sampler;
+  LaserScan scan;
+  for (std::uint64_t seed = first_seed; seed < first_seed + num_worlds; ++seed) {
+    sim::SimulationOptions options{.lms = leg_sensor(seed)};
+    options.lms.scan_period_s = kBetweenScans_s;
+    options.duration_s = 1.5 * kBetweenScans_s;
+    options.seed = seed;
+    const sim::WorldKind kind = seed % 3 == 0 ? sim::WorldKind::kCorridors : sim::WorldKind::kRooms;
+    sim::SimulatedLms laser(sim::random_world(kind, seed, kLaserHeight_m), options);
+    while (laser.next(scan, RangeSensor::Seconds(0.0))) {
+      lose_echoes(seed, scan);
+      const int number = static_cast<int>(2 * seed + scan.index % 2);
+      sampler.sample(scan, number, TruthJudge{scan, *laser.truth()}, use);
     }
-    const Truth& truth = *laser.truth();
-    sampler.sample(
-        scan, static_cast<int>(seed), [&](const LegSample& sample) { return by_truth(sample, scan, truth); },
-        use);
   }
 }
 

@@ -37,7 +37,10 @@ void sample_empty(const std::filesystem::path& log, const LegSampleSink& use);
 
 /// Candidates of simulated worlds (leg_worlds.hpp), one scan each, numbered by their seeds. A leg if at least
 /// 75 % of its echoes come from one leg and are at least 65 % of that leg's; none if fewer than 40 % come
-/// from legs and fewer than 30 % from posts that might be legs.
+/// from legs and fewer than 30 % from cylinders that might be legs.
 void sample_simulated(std::uint64_t first_seed, int num_worlds, const LegSampleSink& use);
+
+/// The same of random rooms and corridors with people who walk and stand (sim::random_world), two scans each.
+void sample_random_worlds(std::uint64_t first_seed, int num_worlds, const LegSampleSink& use);
 
 }  // namespace scanbed::bench

@@ -20,7 +20,9 @@ struct LegCorpus {
 };
 
 inline constexpr int kNumTrainingWorlds = 3000;
+inline constexpr int kNumRandomWorlds = 1200;
 inline constexpr int kNumUnseenWorlds = 400;
+inline constexpr int kNumUnseenRandomWorlds = 160;
 
 /// @param recordings  folder of legs_pos1.log and the others.
 LegCorpus read_leg_corpus(const std::filesystem::path& recordings);

@@ -279,7 +279,7 @@ sim::SensorOptions leg_sensor(std::uint64_t seed) {
   const double kSteps_deg[] = {0.25, 1.0 / 3.0, 0.352, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1.0};
   sensor.step_rad = radians(kSteps_deg[dice.whole(0, 9)]);
   sensor.fov_rad = sensor.step_rad * std::floor(radians(180.0) / sensor.step_rad + 1e-6);
-  sensor.noise_sigma_m = 0.002 * std::pow(6.0, dice.uniform(0.0, 1.0));
+  sensor.noise_sigma_m = 0.002 * std::pow(12.0, dice.uniform(0.0, 1.0));
   sensor.effects.bias = 0.0;
   const double kReach_m[] = {5.6, 8.0, 11.0, 30.0};
   sensor.max_range_m = kReach_m[dice.whole(0, 3)];

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kLegWidth_m = 0.13F;
 constexpr double kMinWallWidth_m = 0.5;
-constexpr double kMinSmallWidth_m = 0.03;
+constexpr double kMinSmallWidth_m = 0.008;  // of a leg that the other one hides no more may be seen
 constexpr double kMaxSmallWidth_m = 0.25;
 constexpr float kSmallReach_m = 1.0F;
 constexpr float kMaxSmallDistance_m = 1.5F;
@@ -75,8 +75,9 @@ CircleShape circle_of(const Moments& m, int n) {
   const double residual2 = std::max(0.0, m.zz - 2.0 * a * m.xz - 2.0 * b * m.yz);
   const double signed_radius = std::min(radius, kMaxRadius_m);
   const bool is_behind = off_x * m.x + off_y * m.y >= 0.0;
-  return {static_cast<float>(std::sqrt(residual2) / (2.0 * radius)),
-          static_cast<float>(is_behind ? signed_radius : -signed_radius)};
+  // Three points lie on a circle: what the sums leave is rounding, and no threshold shall tell by that.
+  const double residual_m = n > 3 ? std::sqrt(residual2) / (2.0 * radius) : 0.0;
+  return {static_cast<float>(residual_m), static_cast<float>(is_behind ? signed_radius : -signed_radius)};
 }
 
 float line_residual_m(const Moments& m) {
@@ -181,11 +182,12 @@ void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, Val
   const CircleShape circle = circle_of(m, n);
   at(values, LegFeature::kCircleResidual) = circle.residual_m;
   at(values, LegFeature::kCircleRadius) = circle.radius_m;
-  at(values, LegFeature::kLineResidual) = line_residual_m(m);
+  // Two points lie on a line, as three do on a circle.
+  at(values, LegFeature::kLineResidual) = n > 2 ? line_residual_m(m) : 0.0F;
   // Distance of the centroid before the chord; the sensor is at the origin.
   const double side = dx * (m.y - beams.echo_y_m[run.first]) - dy * (m.x - beams.echo_x_m[run.first]);
   const double sensor_side = dy * beams.echo_x_m[run.first] - dx * beams.echo_y_m[run.first];
-  const double bow_m = chord_m > 0.0 ? std::abs(side) / chord_m : 0.0;
+  const double bow_m = n > 2 && chord_m > 0.0 ? std::abs(side) / chord_m : 0.0;
   at(values, LegFeature::kBow) =
       static_cast<float>(side * sensor_side >= 0.0 ? bow_m : -bow_m) / (width_m + kWidthFloor_m);
   at(values, LegFeature::kInscribed) = mean_inscribed_cosine(beams, run);

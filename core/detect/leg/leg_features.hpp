@@ -25,7 +25,7 @@ enum class LegFeature {
   kNearWall100,     ///< of the latter, those on wall-like runs: wider than 0.5 m
   kNearest,         ///< distance of the nearest echo, at most 1 m
   kNearestWall,     ///< of the nearest on a wall-like run, at most 1 m
-  kNumSmall,        ///< other runs 0.03 to 0.25 m wide within 1 m
+  kNumSmall,        ///< other runs 0.008 to 0.25 m wide within 1 m
   kNearestSmall,    ///< distance of the nearest of them, at most 1.5 m
   kSmallWidth,      ///< its width, -1 without
   kCircleResidual,  ///< root mean square about the algebraic (Kasa) circle

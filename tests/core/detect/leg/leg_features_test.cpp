@@ -138,7 +138,7 @@ class PlainFeatures {
     double count = 0, nearest = 1.5, width = -1.0;
     for (std::size_t i = 0; i < middle.runs.size(); ++i) {
       const EchoRun& run = middle.runs[i];
-      if (run.size() < 2 || middle.width_m[i] < 0.03 || middle.width_m[i] > 0.25) continue;
+      if (run.size() < 2 || middle.width_m[i] < 0.008 || middle.width_m[i] > 0.25) continue;
       if (run.last >= run_.first && run.first <= run_.last) continue;
       Vector2d p = Vector2d::Zero();
       for (int k = run.first; k <= run.last; ++k) p += read_.point_m(k) / run.size();
