@@ -19,7 +19,7 @@ constexpr std::uint64_t kUnseenSeed = 1000001;
 constexpr std::uint64_t kRandomSeed = 777000001;  // not those that scenarios and results ask for
 constexpr std::uint64_t kUnseenRandomSeed = 778000001;
 
-constexpr std::array kCheckpoints = {20, 50, 90, 150};
+constexpr std::array kCheckpoints = {10, 20, 35, 60, 100, 160};
 constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
 constexpr double kLostShare = 0.002;        // of what ends above
 constexpr float kMargin = 0.3F;             // log-odds
