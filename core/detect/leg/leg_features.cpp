@@ -276,21 +276,23 @@ void LegFeatureReader::read_beside(const LegBeams& beams, const EchoRun& run, Va
   Lanes open25{}, open60{}, hidden{}, nearest, behind;
   nearest.fill(kMaxJump_m);
   behind.fill(kMaxJump_m);
+  const auto look = [&](float range_m, int lane) {
+    const float farther = range_m - range_m_;
+    const float off = std::abs(farther);
+    const float off_behind = farther > -0.1F ? farther : kMaxJump_m;
+    open25[lane] += farther > 0.25F ? 1.0F : 0.0F;
+    open60[lane] += farther > 0.6F ? 1.0F : 0.0F;
+    hidden[lane] += farther < -0.15F ? 1.0F : 0.0F;
+    nearest[lane] = off < nearest[lane] ? off : nearest[lane];
+    behind[lane] = off_behind < behind[lane] ? off_behind : behind[lane];
+  };
   const auto scan_beams = [&](int from, int to) {
-    for (int begin = from; begin <= to; begin += kLanes) {
+    int begin = from;
+    for (; begin + kLanes <= to + 1; begin += kLanes) {
       const float* range = beams.range_m.data() + begin;
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const bool inside = begin + lane <= to;
-        const float farther = range[lane] - range_m_;
-        open25[lane] += inside && farther > 0.25F ? 1.0F : 0.0F;
-        open60[lane] += inside && farther > 0.6F ? 1.0F : 0.0F;
-        hidden[lane] += inside && farther < -0.15F ? 1.0F : 0.0F;
-        const float off = inside ? std::abs(farther) : kMaxJump_m;
-        const float off_behind = inside && farther > -0.1F ? farther : kMaxJump_m;
-        nearest[lane] = off < nearest[lane] ? off : nearest[lane];
-        behind[lane] = off_behind < behind[lane] ? off_behind : behind[lane];
-      }
+      for (int lane = 0; lane < kLanes; ++lane) look(range[lane], lane);
     }
+    for (; begin <= to; ++begin) look(beams.range_m[begin], 0);
   };
   scan_beams(first, own_first - 1);
   scan_beams(own_last + 1, last);
