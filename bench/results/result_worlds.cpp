@@ -7,6 +7,7 @@
 #include "core/geometry/angles.hpp"
 #include "core/geometry/polar.hpp"
 #include "sim/generate/world_builder.hpp"
+#include "sim/world/solid_geometry.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -63,10 +64,8 @@ void put_occluder(Builder& b, const Vector2d& column_m, double radius_m) {
       splits ? b.dice.uniform(-0.4, 0.4) * shadow_m : side * (shadow_m - covered_m + size_m);
   const Vector2d at_m = robot_m + share * sight_m + beside_m * across;
   const bool is_in_another =
-      std::any_of(b.world.solids.begin(), b.world.solids.end(), [&](const sim::Solid& solid) {
-        const auto* column = std::get_if<sim::Cylinder>(&solid.shape);
-        return column != nullptr && (column->center_m - at_m).norm() < column->radius_m;
-      });
+      std::any_of(b.world.solids.begin(), b.world.solids.end(),
+                  [&](const sim::Solid& solid) { return sim::clearance_m(solid.shape, at_m) < 0.0; });
   if (is_in_another) return;
   switch (b.dice.whole(0, 2)) {
     case 0:
