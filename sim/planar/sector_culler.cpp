@@ -44,6 +44,9 @@ const PlanarSlice& SectorCuller::cull(const PlanarSlice& slice, const Pose2& X_L
   const Vector2d right = turned(right_);
   const Vector2d left = turned(left_);
   const auto spot_m = [&](const Vector2d& p) { return half_spot_m_ + spot_ratio_ * p.cwiseAbs().sum(); };
+  // For the whole slice, so that a sector into which things move later allocates nothing then.
+  rest_.segments.reserve(slice.segments.size());
+  rest_.discs.reserve(slice.discs.size());
   rest_.segments.clear();
   std::copy_if(slice.segments.begin(), slice.segments.end(), std::back_inserter(rest_.segments),
                [&](const SliceSegment& s) {
