@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -36,6 +37,9 @@ class RayCaster {
  public:
   /// @pre geometry.step_rad > 0, the beams go round at most once; the subset is not negative, its stride > 0.
   explicit RayCaster(const ScanGeometry& geometry, BeamSubset subset = {});
+
+  /// Makes room for slices of so many shapes, so that a cast allocates nothing.
+  void reserve(std::size_t num_shapes) { shapes_.reserve(num_shapes); }
 
   /// Casts all beams of the subset from a sensor at X_LS in the frame of the slice.
   void cast(const PlanarSlice& slice, const Pose2& X_LS);

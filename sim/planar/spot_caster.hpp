@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry/pose2.hpp"
@@ -37,6 +38,9 @@ class SpotCaster {
  public:
   /// @pre as of RayCaster; 1 <= spot.num_rays <= kMaxSpotRays.
   SpotCaster(const ScanGeometry& geometry, BeamSubset subset, const Spot& spot);
+
+  /// Makes room for slices of so many shapes, so that a cast allocates nothing.
+  void reserve(std::size_t num_shapes) { shapes_.reserve(num_shapes); }
 
   /// Appends to `out` the spots that met more than one surface (or a surface and nothing), beams counted as
   /// the scan does.

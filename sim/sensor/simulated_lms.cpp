@@ -156,8 +156,8 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
   const Spot spot = has_spot ? spot_of(options.lms) : Spot{};
   for (const Piece& piece : pieces) {
     cullers.emplace_back(geometry, piece.beams, spot);
-    axes.emplace_back(geometry, piece.beams);
-    if (has_spot) spots.emplace_back(geometry, piece.beams, spot);
+    axes.emplace_back(geometry, piece.beams).reserve(engine->objects().size());
+    if (has_spot) spots.emplace_back(geometry, piece.beams, spot).reserve(engine->objects().size());
   }
   if (!has_spot) return;
   const auto num_beams = static_cast<std::size_t>(geometry.num_beams);
