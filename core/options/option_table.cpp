@@ -194,7 +194,8 @@ const std::array kTable = {
                                  "a feature farther from where a track is expected is not its own"),
     track<&TrackOptions::gate_speed_m_per_s>("track.gate_speed_m_per_s",
                                              "widens that gate by this times the time since the last hit"),
-    track<&TrackOptions::max_gate_m>("track.max_gate_m", "the gate grows no further"),
+    track<&TrackOptions::max_gate_m>(
+        "track.max_gate_m", "the gate grows no further, but for cylinders that move while they are hidden"),
     track<&TrackOptions::num_confirming_hits>("track.num_confirming_hits",
                                               "a track is reported from this hit on"),
     track<&TrackOptions::num_coasted_scans>("track.num_coasted_scans",

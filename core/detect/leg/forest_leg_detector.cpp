@@ -6,6 +6,7 @@
 #include "core/detect/leg/keep_best_legs.hpp"
 
 namespace scanbed {
+
 void ForestLegDetector::detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options,
                                std::vector<Leg>& legs) {
   beam_reader_.read(scan, beams_);
