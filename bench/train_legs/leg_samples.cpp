@@ -50,7 +50,7 @@ class Sampler {
       sample.scan = number;
       sample.beams = {beams_.beam[run.first], beams_.beam[run.last]};
       sample.center_m = centroid_m(beams_, run);
-      for (int f = 0; f < kNumLegFeatures; ++f) sample.features[f] = table_.row(f)[c];
+      for (int f = 0; f < kNumLegFeatures; ++f) sample.features[f] = table_.at(f, static_cast<int>(c));
       sample.answer = judge(sample);
       use(sample);
     }

@@ -19,7 +19,7 @@ constexpr std::uint64_t kUnseenSeed = 1000001;
 constexpr std::uint64_t kRandomSeed = 777000001;  // not those that scenarios and results ask for
 constexpr std::uint64_t kUnseenRandomSeed = 778000001;
 
-constexpr std::array kCheckpoints = {10, 20, 35, 60, 100, 160};
+constexpr std::array kCheckpoints = {30, 100};
 constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
 constexpr double kLostShare = 0.002;        // of what ends above
 constexpr float kMargin = 0.3F;             // log-odds
@@ -52,7 +52,7 @@ std::vector<float> sums_of(std::span<const LegTree> trees, std::span<const LegSa
   LegFeatureTable table;
   table.resize(static_cast<int>(samples.size()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    for (int f = 0; f < kNumLegFeatures; ++f) table.row(f)[i] = samples[i].features[f];
+    for (int f = 0; f < kNumLegFeatures; ++f) table.at(f, static_cast<int>(i)) = samples[i].features[f];
   }
   std::vector<float> sums;
   LegForestScorer().score({.trees = trees}, table, sums);

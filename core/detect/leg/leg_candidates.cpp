@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <iterator>
+#include <limits>
 
 namespace scanbed {
 namespace {
@@ -20,36 +21,46 @@ constexpr double kMinNotch_m = 0.015;
 
 }  // namespace
 
+// All that the finest segmentation cuts; the others cut at some of them.
+void LegCandidateFinder::find_gaps(const LegBeams& beams) {
+  gaps_.clear();
+  for (int k = 1; k < beams.num_echoes(); ++k) {
+    const int num_steps = beams.beam[k] - beams.beam[k - 1];
+    const double range_m = std::min(beams.echo_range_m[k], beams.echo_range_m[k - 1]);
+    const double allowed_m = kSpacings * range_m * beams.step_rad * num_steps;
+    const double excess_m = beams.distance_m(k - 1, k) - allowed_m;
+    if (num_steps > kMaxBridgedBeams + 1) {
+      gaps_.push_back({k, std::numeric_limits<double>::infinity()});
+    } else if (excess_m >= kGaps_m.front()) {
+      gaps_.push_back({k, excess_m});
+    }
+  }
+}
+
 void LegCandidateFinder::cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const {
   segmentation.runs.clear();
   segmentation.width_m.clear();
-  segmentation.run_of_echo.clear();
-  const auto joins = [&](int k) {
-    const int num_steps = beams.beam[k] - beams.beam[k - 1];
-    if (num_steps > kMaxBridgedBeams + 1) return false;
-    const double range_m = std::min(beams.echo_range_m[k], beams.echo_range_m[k - 1]);
-    const double bound_m = gap_m + kSpacings * range_m * beams.step_rad * num_steps;
-    const double dx_m = beams.echo_x_m[k] - beams.echo_x_m[k - 1];
-    const double dy_m = beams.echo_y_m[k] - beams.echo_y_m[k - 1];
-    return dx_m * dx_m + dy_m * dy_m < bound_m * bound_m;
-  };
-  const int num_echoes = beams.num_echoes();
-  for (int k = 0; k < num_echoes; ++k) {
-    if (k > 0 && joins(k)) {
-      segmentation.runs.back().last = k;
-    } else {
-      segmentation.runs.push_back({k, k});
-    }
-    segmentation.run_of_echo.push_back(static_cast<int>(segmentation.runs.size()) - 1);
-  }
-  for (const EchoRun& run : segmentation.runs)
+  segmentation.run_of_echo.resize(beams.num_echoes());
+  int first = 0;
+  const auto end_before = [&](int echo) {
+    const EchoRun run{first, echo - 1};
+    std::fill(segmentation.run_of_echo.begin() + run.first, segmentation.run_of_echo.begin() + echo,
+              static_cast<int>(segmentation.runs.size()));
+    segmentation.runs.push_back(run);
     segmentation.width_m.push_back(beams.distance_m(run.first, run.last));
+    first = echo;
+  };
+  for (const Gap& gap : gaps_) {
+    if (gap.excess_m >= gap_m) end_before(gap.after);
+  }
+  if (beams.num_echoes() > 0) end_before(beams.num_echoes());
 }
 
 void LegCandidateFinder::add(const LegBeams& beams, const EchoRun& run) {
-  if (run.size() < 2 || beams.distance_m(run.first, run.last) > kMaxWidth_m) return;
-  const double range_m = (beams.sums[run.last + 1].range - beams.sums[run.first].range) / run.size();
-  if (range_m <= kMaxRange_m) found_.push_back(run);
+  const double middle_m = (beams.echo_range_m[run.first] + beams.echo_range_m[run.last]) / 2;
+  const bool is_candidate =
+      run.size() >= 2 && beams.distance_m(run.first, run.last) <= kMaxWidth_m && middle_m <= kMaxRange_m;
+  if (is_candidate) found_.push_back(run);
 }
 
 // The deepest notch is the echo that lies farthest behind the nearest one on either side.
@@ -92,27 +103,37 @@ void LegCandidateFinder::halve_at_step(const LegBeams& beams, const EchoRun& run
   add(beams, {before + 1, run.last});
 }
 
+void LegCandidateFinder::find_in(const LegBeams& beams, const EchoRun& run, double width_m) {
+  const auto num_before = static_cast<std::ptrdiff_t>(found_.size());
+  add(beams, run);
+  const bool is_halved =
+      run.size() >= kMinHalvedEchoes && width_m >= kMinHalvedWidth_m && width_m <= kMaxHalvedWidth_m;
+  if (is_halved) {
+    halve_at_notch(beams, run);
+    halve_at_step(beams, run);
+  }
+  std::sort(found_.begin() + num_before, found_.end());
+}
+
 void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) {
-  found_.clear();
+  candidates.runs.clear();
+  find_gaps(beams);
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
     LegSegmentation& segmentation = candidates.segmentations[i];
     cut(beams, kGaps_m[i], segmentation);
+    found_.clear();
     for (std::size_t k = 0; k < segmentation.runs.size(); ++k) {
       const EchoRun& run = segmentation.runs[k];
-      add(beams, run);
-      const double width_m = segmentation.width_m[k];
-      const bool is_halved =
-          run.size() >= kMinHalvedEchoes && width_m >= kMinHalvedWidth_m && width_m <= kMaxHalvedWidth_m;
-      if (!is_halved) continue;
-      halve_at_notch(beams, run);
-      halve_at_step(beams, run);
+      const bool is_known = i > 0 && candidates.segmentations[i - 1].has(run);
+      if (!is_known) find_in(beams, run, segmentation.width_m[k]);
     }
+    merged_.clear();
+    std::merge(candidates.runs.begin(), candidates.runs.end(), found_.begin(), found_.end(),
+               std::back_inserter(merged_));
+    std::swap(candidates.runs, merged_);
   }
-  std::sort(found_.begin(), found_.end(), [](const EchoRun& a, const EchoRun& b) {
-    return std::tie(a.first, a.last) < std::tie(b.first, b.last);
-  });
-  candidates.runs.clear();
-  std::unique_copy(found_.begin(), found_.end(), std::back_inserter(candidates.runs));
+  const auto end = std::unique(candidates.runs.begin(), candidates.runs.end());
+  candidates.runs.erase(end, candidates.runs.end());
 }
 
 }  // namespace scanbed

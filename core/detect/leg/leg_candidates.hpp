@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "core/detect/leg/leg_beams.hpp"
@@ -14,7 +15,7 @@ struct EchoRun {
   int last = 0;
 
   int size() const { return last - first + 1; }
-  friend bool operator==(const EchoRun&, const EchoRun&) = default;
+  friend auto operator<=>(const EchoRun&, const EchoRun&) = default;
 };
 
 /// One way to cut a scan: its runs, and of each echo the run that holds it.
@@ -22,6 +23,8 @@ struct LegSegmentation {
   std::vector<EchoRun> runs;
   std::vector<double> width_m;  ///< of each run, from end to end
   std::vector<int> run_of_echo;
+
+  bool has(const EchoRun& run) const { return runs[run_of_echo[run.first]] == run; }
 };
 
 /// What may be a leg: runs of at least 2 echoes, at most 0.55 m wide and 6 m away.
@@ -40,12 +43,21 @@ class LegCandidateFinder {
   void find(const LegBeams& beams, LegCandidates& candidates);
 
  private:
+  /// Two neighbouring echoes that may not belong together.
+  struct Gap {
+    int after = 0;           ///< the echo behind the gap
+    double excess_m = 0.0;  ///< distance beyond what the beam spacing allows for
+  };
+
+  void find_gaps(const LegBeams& beams);
   void cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const;
+  void find_in(const LegBeams& beams, const EchoRun& run, double width_m);
   void halve_at_notch(const LegBeams& beams, const EchoRun& run);
   void halve_at_step(const LegBeams& beams, const EchoRun& run);
   void add(const LegBeams& beams, const EchoRun& run);
 
-  std::vector<EchoRun> found_;
+  std::vector<Gap> gaps_;
+  std::vector<EchoRun> found_, merged_;
   std::vector<double> nearest_after_m_;  ///< of each echo of a run: least range from there on
 };
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/angles.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr float kNearReach_m = 1.0F;
 constexpr float kBesideReach_m = 0.5F;
 constexpr float kMaxJump_m = 2.0F;
 constexpr double kMaxRadius_m = 0.5;
-constexpr float kOffWall_m2 = 1e6F;
+constexpr float kFar_m2 = 1e6F;  // beyond all reaches
 constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape too
 constexpr float kMaxRunWidth_m = 5.0F;
 
@@ -33,28 +35,56 @@ float& at(std::array<float, kNumLegFeatures>& values, LegFeature feature) {
   return values[static_cast<std::size_t>(feature)];
 }
 
-// Second moments of a run about its centroid, per point.
+// Moments of a run about its centroid, per point.
 struct Moments {
-  double x, y;        // centroid
-  double xx, xy, yy;  // covariance of the points
-  double xz, yz, zz;  // with z = x^2 + y^2
-  double mean_z;
+  double x = 0.0, y = 0.0;               // centroid
+  double xx = 0.0, xy = 0.0, yy = 0.0;   // covariance of the points
+  double xz = 0.0, yz = 0.0, zz = 0.0;   // with z = x^2 + y^2, about the centroid too
+  double range = 0.0, range_var = 0.0;
+  double step2 = 0.0;  // mean square of the steps of range
 };
 
-Moments moments_of(const EchoSums& a, const EchoSums& b, int n) {
-  const double inv = 1.0 / n;
-  Moments m{};
-  m.x = (b.x - a.x) * inv;
-  m.y = (b.y - a.y) * inv;
-  const double sum_xx = (b.xx - a.xx) * inv;
-  const double sum_yy = (b.yy - a.yy) * inv;
-  m.mean_z = sum_xx + sum_yy;
-  m.xx = std::max(0.0, sum_xx - m.x * m.x);
-  m.yy = std::max(0.0, sum_yy - m.y * m.y);
-  m.xy = (b.xy - a.xy) * inv - m.x * m.y;
-  m.xz = (b.xz - a.xz) * inv - m.x * m.mean_z;
-  m.yz = (b.yz - a.yz) * inv - m.y * m.mean_z;
-  m.zz = (b.zz - a.zz) * inv - m.mean_z * m.mean_z;
+// Centroid and mean range.
+Moments means_of(const LegBeams& beams, const EchoRun& run) {
+  Moments m;
+  for (int k = run.first; k <= run.last; ++k) {
+    m.x += beams.echo_x_m[k];
+    m.y += beams.echo_y_m[k];
+    m.range += beams.echo_range_m[k];
+  }
+  const double each = 1.0 / run.size();
+  m.x *= each;
+  m.y *= each;
+  m.range *= each;
+  return m;
+}
+
+Moments moments_of(const LegBeams& beams, const EchoRun& run) {
+  Moments m = means_of(beams, run);
+  double sum_z = 0.0;
+  double before = beams.echo_range_m[run.first];
+  for (int k = run.first; k <= run.last; ++k) {
+    const double x = beams.echo_x_m[k] - m.x;
+    const double y = beams.echo_y_m[k] - m.y;
+    const double z = x * x + y * y;
+    const double off = beams.echo_range_m[k] - m.range;
+    const double step = beams.echo_range_m[k] - before;
+    before = beams.echo_range_m[k];
+    m.xx += x * x;
+    m.xy += x * y;
+    m.yy += y * y;
+    m.xz += x * z;
+    m.yz += y * z;
+    m.zz += z * z;
+    sum_z += z;
+    m.range_var += off * off;
+    m.step2 += step * step;
+  }
+  const double each = 1.0 / run.size();
+  const double mean_z = sum_z * each;
+  for (double* sum : {&m.xx, &m.xy, &m.yy, &m.xz, &m.yz, &m.zz, &m.range_var}) *sum *= each;
+  m.zz -= mean_z * mean_z;
+  m.step2 /= run.size() - 1;
   return m;
 }
 
@@ -63,18 +93,17 @@ struct CircleShape {
   float radius_m = static_cast<float>(kMaxRadius_m);
 };
 
-// Least squares of z = 2 a x + 2 b y + c; the residual of z over the diameter is that of the radius.
+// Least squares of z = 2 a x + 2 b y + c about the centroid; the residual of z over the diameter is that of the
+// radius.
 CircleShape circle_of(const Moments& m, int n) {
   const double det = m.xx * m.yy - m.xy * m.xy;
   if (n < 3 || det <= 1e-12) return {};
   const double a = (m.xz * m.yy - m.yz * m.xy) / det / 2;
   const double b = (m.yz * m.xx - m.xz * m.xy) / det / 2;
-  const double off_x = a - m.x;
-  const double off_y = b - m.y;
-  const double radius = std::sqrt(off_x * off_x + off_y * off_y + m.xx + m.yy);
+  const double radius = std::sqrt(a * a + b * b + m.xx + m.yy);
   const double residual2 = std::max(0.0, m.zz - 2.0 * a * m.xz - 2.0 * b * m.yz);
   const double signed_radius = std::min(radius, kMaxRadius_m);
-  const bool is_behind = off_x * m.x + off_y * m.y >= 0.0;
+  const bool is_behind = a * m.x + b * m.y >= 0.0;
   // Three points lie on a circle: what the sums leave is rounding, and no threshold shall tell by that.
   const double residual_m = n > 3 ? std::sqrt(residual2) / (2.0 * radius) : 0.0;
   return {static_cast<float>(residual_m), static_cast<float>(is_behind ? signed_radius : -signed_radius)};
@@ -113,18 +142,107 @@ float jump_m(const LegBeams& beams, int beam, double range_m) {
   return std::clamp(beams.range_m[beam] - static_cast<float>(range_m), -kMaxJump_m, kMaxJump_m);
 }
 
-// Accumulators of so many lanes, which are added up in the end: the compiler makes vectors of them.
-constexpr int kLanes = LegBeamReader::kBlock;
-using Lanes = std::array<float, kLanes>;
+struct BeamRange {
+  int begin = 0;
+  int end = 0;
+};
 
-float sum(const Lanes& lanes) {
-  float total = 0.0F;
-  for (const float lane : lanes) total += lane;
-  return total;
+/// A scan's points around a candidate's centroid.
+struct Surroundings {
+  const float* x_m;
+  const float* y_m;
+  const float* off_wall_m2;
+  float center_x_m, center_y_m;
+};
+
+struct NearEchoes {
+  Ints within30{}, within50{}, within100{}, wall100{};
+  Floats nearest_m2 = Floats{} + kNearReach_m * kNearReach_m;
+  Floats nearest_wall_m2 = nearest_m2;
+};
+
+struct BesideBeams {
+  Ints open25{}, open60{}, hidden{};
+  Floats nearest_m = Floats{} + kMaxJump_m;
+  Floats behind_m = nearest_m;
+};
+
+// The next two go through blocks of beams. Of the last block, lanes past the end do not count.
+
+constexpr Ints kLane{0, 1, 2, 3, 4, 5, 6, 7};
+
+[[gnu::always_inline]] inline void count_near_in(const Surroundings& around, const BeamRange& beams,
+                                                 NearEchoes& total) {
+  NearEchoes near = total;
+  Floats x, y, off_wall;
+  const Floats none{};
+  for (int begin = beams.begin; begin < beams.end; begin += kNumLanes) {
+    load(around.x_m + begin, x);
+    load(around.y_m + begin, y);
+    load(around.off_wall_m2 + begin, off_wall);
+    const Floats dx = x - around.center_x_m;
+    const Floats dy = y - around.center_y_m;
+    const Floats d2 = dx * dx + dy * dy + (kLane < beams.end - begin ? none : none + kFar_m2);
+    const Floats wall2 = d2 + off_wall;
+    near.within30 -= d2 < 0.09F;
+    near.within50 -= d2 < 0.25F;
+    near.within100 -= d2 < 1.0F;
+    near.wall100 -= wall2 < 1.0F;
+    lower(near.nearest_m2, d2);
+    lower(near.nearest_wall_m2, wall2);
+  }
+  total = near;
 }
 
-float least(const Lanes& lanes) {
-  return *std::min_element(lanes.begin(), lanes.end());
+[[gnu::always_inline]] inline void look_beside_in(const float* ranges_m, float own_m, const BeamRange& beams,
+                                                  BesideBeams& total) {
+  BesideBeams beside = total;
+  Floats range_m;
+  const Floats most = Floats{} + kMaxJump_m;
+  for (int begin = beams.begin; begin < beams.end; begin += kNumLanes) {
+    load(ranges_m + begin, range_m);
+    const Ints in = kLane < beams.end - begin;
+    const Floats farther = range_m - own_m;
+    beside.open25 -= (farther > 0.25F) & in;
+    beside.open60 -= (farther > 0.6F) & in;
+    beside.hidden -= (farther < -0.15F) & in;
+    const Floats off = farther < 0.0F ? -farther : farther;
+    lower(beside.nearest_m, in ? off : most);
+    lower(beside.behind_m, ((farther > -0.1F) & in) ? farther : most);
+  }
+  total = beside;
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 void count_near_avx2(const Surroundings& around, const BeamRange& beams, NearEchoes& near) {
+  count_near_in(around, beams, near);
+}
+
+SCANBED_AVX2 void look_beside_avx2(const float* ranges_m, float own_m, const BeamRange& beams,
+                                   BesideBeams& beside) {
+  look_beside_in(ranges_m, own_m, beams, beside);
+}
+#endif
+
+void count_near(InstructionSet set, const Surroundings& around, const BeamRange& beams, NearEchoes& near) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return count_near_avx2(around, beams, near);
+#endif
+  count_near_in(around, beams, near);
+}
+
+void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamRange& beams, BesideBeams& beside) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return look_beside_avx2(ranges_m, own_m, beams, beside);
+#endif
+  look_beside_in(ranges_m, own_m, beams, beside);
+}
+
+// No less than asin(reach / distance), half the angle under which a disc is seen; pi from within.
+double greatest_half_view_rad(float reach_m, float distance_m) {
+  if (distance_m <= 1.01F * reach_m) return kPi;
+  const double s = static_cast<double>(reach_m / distance_m);
+  return s * (1.0 + (kPi / 2.0 - 1.0) * s * s);
 }
 
 }  // namespace
@@ -134,19 +252,21 @@ std::string_view name_of(LegFeature feature) {
 }
 
 Eigen::Vector2d centroid_m(const LegBeams& beams, const EchoRun& run) {
-  const EchoSums& a = beams.sums[run.first];
-  const EchoSums& b = beams.sums[run.last + 1];
-  return Eigen::Vector2d(b.x - a.x, b.y - a.y) / run.size();
+  const Moments m = means_of(beams, run);
+  return {m.x, m.y};
 }
 
 void LegFeatureTable::resize(int num_candidates) {
   num_candidates_ = num_candidates;
-  stride_ = num_padded();
-  values_.assign(static_cast<std::size_t>(stride_) * kNumLegFeatures, 0.0F);
+  values_.assign(static_cast<std::size_t>(num_blocks()) * kBlock * kNumLegFeatures, 0.0F);
+}
+
+void LegFeatureTable::copy(int from, int to) {
+  for (int f = 0; f < kNumLegFeatures; ++f) at(f, to) = at(f, from);
 }
 
 void LegFeatureReader::mark_surroundings(const LegBeams& beams, const LegSegmentation& segmentation) {
-  off_wall_m2_.assign(beams.range_m.size(), kOffWall_m2);
+  off_wall_m2_.assign(beams.range_m.size(), kFar_m2);
   small_runs_.clear();
   for (std::size_t i = 0; i < segmentation.runs.size(); ++i) {
     const EchoRun& run = segmentation.runs[i];
@@ -162,15 +282,12 @@ void LegFeatureReader::mark_surroundings(const LegBeams& beams, const LegSegment
 }
 
 void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, Values& values) {
-  const EchoSums& a = beams.sums[run.first];
-  const EchoSums& b = beams.sums[run.last + 1];
   const int n = run.size();
-  const Moments m = moments_of(a, b, n);
-  const double mean_range_m = (b.range - a.range) / n;
+  const Moments m = moments_of(beams, run);
   x_m_ = static_cast<float>(m.x);
   y_m_ = static_cast<float>(m.y);
-  range_m_ = static_cast<float>(mean_range_m);
-  spacing_m_ = static_cast<float>(mean_range_m * beams.step_rad);
+  range_m_ = static_cast<float>(m.range);
+  spacing_m_ = static_cast<float>(m.range * beams.step_rad);
   const double dx = beams.echo_x_m[run.last] - beams.echo_x_m[run.first];
   const double dy = beams.echo_y_m[run.last] - beams.echo_y_m[run.first];
   const double chord_m = std::sqrt(dx * dx + dy * dy);
@@ -193,10 +310,8 @@ void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, Val
   at(values, LegFeature::kInscribed) = mean_inscribed_cosine(beams, run);
   const double ends_m = beams.echo_range_m[run.last] - beams.echo_range_m[run.first];
   at(values, LegFeature::kTilt) = static_cast<float>(std::abs(ends_m)) / (width_m + kWidthFloor_m);
-  at(values, LegFeature::kRangeStd) =
-      static_cast<float>(std::sqrt(std::max(0.0, (b.range2 - a.range2) / n - mean_range_m * mean_range_m)));
-  const double step2 = (b.step2 - beams.sums[run.first + 1].step2) / (n - 1);
-  at(values, LegFeature::kStep) = static_cast<float>(std::sqrt(std::max(0.0, step2)));
+  at(values, LegFeature::kRangeStd) = static_cast<float>(std::sqrt(m.range_var));
+  at(values, LegFeature::kStep) = static_cast<float>(std::sqrt(m.step2));
 }
 
 void LegFeatureReader::read_small_neighbours(const EchoRun& run, Values& values) const {
@@ -204,14 +319,13 @@ void LegFeatureReader::read_small_neighbours(const EchoRun& run, Values& values)
   float nearest_m2 = kMaxSmallDistance_m * kMaxSmallDistance_m;
   float width_m = -1.0F;
   for (const SmallRun& small : small_runs_) {
-    if (small.run.last >= run.first && small.run.first <= run.last) continue;
+    const bool is_own = small.run.last >= run.first && small.run.first <= run.last;
     const float dx = small.x_m - x_m_;
     const float dy = small.y_m - y_m_;
-    const float distance_m2 = dx * dx + dy * dy;
-    if (distance_m2 < kSmallReach_m * kSmallReach_m) ++num_small;
-    if (distance_m2 >= nearest_m2) continue;
-    nearest_m2 = distance_m2;
-    width_m = small.width_m;
+    const float distance_m2 = is_own ? kFar_m2 : dx * dx + dy * dy;
+    num_small += distance_m2 < kSmallReach_m * kSmallReach_m ? 1 : 0;
+    width_m = distance_m2 < nearest_m2 ? small.width_m : width_m;
+    nearest_m2 = std::min(nearest_m2, distance_m2);
   }
   at(values, LegFeature::kNumSmall) = static_cast<float>(num_small);
   at(values, LegFeature::kNearestSmall) = std::sqrt(nearest_m2);
@@ -221,49 +335,20 @@ void LegFeatureReader::read_small_neighbours(const EchoRun& run, Values& values)
 void LegFeatureReader::read_near(const LegBeams& beams, const EchoRun& run, Values& values) {
   const int own_first = beams.beam[run.first];
   const int own_last = beams.beam[run.last];
-  // Beams farther than this from the middle pass all that is within reach.
-  int first = 0;
-  int last = beams.num_beams - 1;
+  // Beams farther than this from the ends pass all that is within reach: the centroid lies between the ends.
   const float center_m = std::sqrt(x_m_ * x_m_ + y_m_ * y_m_);
-  if (center_m > 1.01F * kNearReach_m) {
-    const double half_rad = std::asin(static_cast<double>(kNearReach_m / center_m));
-    const int half = static_cast<int>(half_rad / beams.step_rad) + 2;
-    // The centroid lies between the ends.
-    first = std::max(0, own_first - half);
-    last = std::min(last, own_last + half);
-  }
-  Lanes near30{}, near50{}, near100{}, wall100{}, nearest, nearest_wall;
-  nearest.fill(kNearReach_m * kNearReach_m);
-  nearest_wall.fill(kNearReach_m * kNearReach_m);
-  const auto scan_beams = [&](int from, int to) {
-    for (int begin = from; begin <= to; begin += kLanes) {
-      const float* x = beams.x_m.data() + begin;
-      const float* y = beams.y_m.data() + begin;
-      const float* off_wall = off_wall_m2_.data() + begin;
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const float dx = x[lane] - x_m_;
-        const float dy = y[lane] - y_m_;
-        // Past the end of the window nothing is near.
-        const float past = begin + lane > to ? kOffWall_m2 : 0.0F;
-        const float d2 = dx * dx + dy * dy + past;
-        const float wall2 = d2 + off_wall[lane];
-        near30[lane] += d2 < 0.09F ? 1.0F : 0.0F;
-        near50[lane] += d2 < 0.25F ? 1.0F : 0.0F;
-        near100[lane] += d2 < 1.0F ? 1.0F : 0.0F;
-        wall100[lane] += wall2 < 1.0F ? 1.0F : 0.0F;
-        nearest[lane] = d2 < nearest[lane] ? d2 : nearest[lane];
-        nearest_wall[lane] = wall2 < nearest_wall[lane] ? wall2 : nearest_wall[lane];
-      }
-    }
-  };
-  scan_beams(first, own_first - 1);
-  scan_beams(own_last + 1, last);
-  at(values, LegFeature::kNear30) = sum(near30) * spacing_m_;
-  at(values, LegFeature::kNear50) = sum(near50) * spacing_m_;
-  at(values, LegFeature::kNear100) = sum(near100) * spacing_m_;
-  at(values, LegFeature::kNearWall100) = sum(wall100) * spacing_m_;
-  at(values, LegFeature::kNearest) = std::sqrt(least(nearest));
-  at(values, LegFeature::kNearestWall) = std::sqrt(least(nearest_wall));
+  const double half_rad = greatest_half_view_rad(kNearReach_m, center_m);
+  const int half = static_cast<int>(std::min(half_rad / beams.step_rad + 2.0, 1.0 * beams.num_beams));
+  const Surroundings around{beams.x_m.data(), beams.y_m.data(), off_wall_m2_.data(), x_m_, y_m_};
+  NearEchoes near;
+  count_near(instructions_, around, {std::max(0, own_first - half), own_first}, near);
+  count_near(instructions_, around, {own_last + 1, std::min(beams.num_beams, own_last + half + 1)}, near);
+  at(values, LegFeature::kNear30) = static_cast<float>(sum_of(near.within30)) * spacing_m_;
+  at(values, LegFeature::kNear50) = static_cast<float>(sum_of(near.within50)) * spacing_m_;
+  at(values, LegFeature::kNear100) = static_cast<float>(sum_of(near.within100)) * spacing_m_;
+  at(values, LegFeature::kNearWall100) = static_cast<float>(sum_of(near.wall100)) * spacing_m_;
+  at(values, LegFeature::kNearest) = std::sqrt(least_of(near.nearest_m2));
+  at(values, LegFeature::kNearestWall) = std::sqrt(least_of(near.nearest_wall_m2));
 }
 
 void LegFeatureReader::read_beside(const LegBeams& beams, const EchoRun& run, Values& values) {
@@ -273,37 +358,17 @@ void LegFeatureReader::read_beside(const LegBeams& beams, const EchoRun& run, Va
   const int half = static_cast<int>(std::clamp(reach, 1.0, static_cast<double>(beams.num_beams)));
   const int first = std::max(0, own_first - half);
   const int last = std::min(beams.num_beams - 1, own_last + half);
-  Lanes open25{}, open60{}, hidden{}, nearest, behind;
-  nearest.fill(kMaxJump_m);
-  behind.fill(kMaxJump_m);
-  const auto look = [&](float range_m, int lane) {
-    const float farther = range_m - range_m_;
-    const float off = std::abs(farther);
-    const float off_behind = farther > -0.1F ? farther : kMaxJump_m;
-    open25[lane] += farther > 0.25F ? 1.0F : 0.0F;
-    open60[lane] += farther > 0.6F ? 1.0F : 0.0F;
-    hidden[lane] += farther < -0.15F ? 1.0F : 0.0F;
-    nearest[lane] = off < nearest[lane] ? off : nearest[lane];
-    behind[lane] = off_behind < behind[lane] ? off_behind : behind[lane];
-  };
-  const auto scan_beams = [&](int from, int to) {
-    int begin = from;
-    for (; begin + kLanes <= to + 1; begin += kLanes) {
-      const float* range = beams.range_m.data() + begin;
-      for (int lane = 0; lane < kLanes; ++lane) look(range[lane], lane);
-    }
-    for (; begin <= to; ++begin) look(beams.range_m[begin], 0);
-  };
-  scan_beams(first, own_first - 1);
-  scan_beams(own_last + 1, last);
+  BesideBeams beside;
+  look_beside(instructions_, beams.range_m.data(), range_m_, {first, own_first}, beside);
+  look_beside(instructions_, beams.range_m.data(), range_m_, {own_last + 1, last + 1}, beside);
   const int in_view = (own_first - first) + (last - own_last);
   const float each = in_view > 0 ? 1.0F / static_cast<float>(in_view) : 0.0F;
   const float unknown = in_view > 0 ? 0.0F : 0.5F;
-  at(values, LegFeature::kOpen25) = unknown + sum(open25) * each;
-  at(values, LegFeature::kOpen60) = unknown + sum(open60) * each;
-  at(values, LegFeature::kHidden) = sum(hidden) * each;
-  at(values, LegFeature::kNearestBeside) = least(nearest);
-  at(values, LegFeature::kNearestBehind) = least(behind);
+  at(values, LegFeature::kOpen25) = unknown + static_cast<float>(sum_of(beside.open25)) * each;
+  at(values, LegFeature::kOpen60) = unknown + static_cast<float>(sum_of(beside.open60)) * each;
+  at(values, LegFeature::kHidden) = static_cast<float>(sum_of(beside.hidden)) * each;
+  at(values, LegFeature::kNearestBeside) = least_of(beside.nearest_m);
+  at(values, LegFeature::kNearestBehind) = least_of(beside.behind_m);
   const float left_m = jump_m(beams, own_first - 1, beams.echo_range_m[run.first]);
   const float right_m = jump_m(beams, own_last + 1, beams.echo_range_m[run.last]);
   at(values, LegFeature::kLeastJump) = std::min(left_m, right_m);
@@ -327,7 +392,7 @@ void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidat
       const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
       at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
     }
-    for (int f = 0; f < kNumLegFeatures; ++f) table.row(f)[c] = values[f];
+    for (int f = 0; f < kNumLegFeatures; ++f) table.at(f, c) = values[f];
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
+#include "core/simd/instruction_set.hpp"
+#include "core/simd/lanes.hpp"
 
 namespace scanbed {
 
@@ -54,29 +56,40 @@ inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
 /// Name of a feature in training files.
 std::string_view name_of(LegFeature feature);
 
-/// Features of many candidates: value f of candidate c is rows[f][c].
+/// Features of many candidates, in blocks: what is read together stands together.
 class LegFeatureTable {
  public:
-  static constexpr int kBlock = 8;
+  static constexpr int kBlock = kNumLanes;  ///< candidates
 
   /// Makes room for so many candidates, padded to whole blocks.
   void resize(int num_candidates);
   /// Keeps the first candidates alone; what stands in the padding does not matter.
   void shrink(int num_candidates) { num_candidates_ = num_candidates; }
+  /// Lets candidate `to` have the features of candidate `from`.
+  void copy(int from, int to);
   int num_candidates() const { return num_candidates_; }
-  int num_padded() const { return (num_candidates_ + kBlock - 1) / kBlock * kBlock; }
-  float* row(int feature) { return values_.data() + static_cast<std::size_t>(feature) * stride_; }
-  const float* row(int feature) const { return values_.data() + static_cast<std::size_t>(feature) * stride_; }
+  int num_blocks() const { return (num_candidates_ + kBlock - 1) / kBlock; }
+  float& at(int feature, int candidate) { return values_[index(feature, candidate)]; }
+  float at(int feature, int candidate) const { return values_[index(feature, candidate)]; }
+  /// Feature f of the block's i-th candidate stands at kBlock f + i.
+  const float* block(int number) const { return values_.data() + index(0, kBlock * number); }
 
  private:
+  static std::size_t index(int feature, int candidate) {
+    const int place = (candidate / kBlock * kNumLegFeatures + feature) * kBlock + candidate % kBlock;
+    return static_cast<std::size_t>(place);
+  }
+
   int num_candidates_ = 0;
-  int stride_ = 0;  ///< between rows
   std::vector<float> values_;
 };
 
 /// Measures candidates; every feature is the same for a scan that is turned, and for its mirror image.
 class LegFeatureReader {
  public:
+  explicit LegFeatureReader(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   void read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table);
 
  private:
@@ -93,6 +106,7 @@ class LegFeatureReader {
   void read_near(const LegBeams& beams, const EchoRun& run, Values& values);
   void read_beside(const LegBeams& beams, const EchoRun& run, Values& values);
 
+  InstructionSet instructions_;
   std::vector<float> off_wall_m2_;  ///< of each beam: 0 on a wall-like run, else much; padded like beams
   std::vector<SmallRun> small_runs_;
   float x_m_ = 0.0F, y_m_ = 0.0F, range_m_ = 0.0F, spacing_m_ = 0.0F;  ///< of the candidate at hand

@@ -3,27 +3,62 @@
 
 #include <cmath>
 
+#include "core/simd/lanes.hpp"
+
+#if defined(SCANBED_HAS_AVX2)
+#include <immintrin.h>
+#endif
+
 namespace scanbed {
 namespace {
 
 constexpr int kBlock = LegFeatureTable::kBlock;
+static_assert(kBlock == kNumLanes);
 
-// Adds trees [first, last) to the sums of all candidates of the table.
-void add_trees(std::span<const LegTree> trees, const LegFeatureTable& table, std::span<float> sums) {
-  for (int begin = 0; begin < table.num_padded(); begin += kBlock) {
-    std::array<float, kBlock> sum{};
-    for (const LegTree& tree : trees) {
-      std::array<std::int32_t, kBlock> leaf{};
-      for (int level = 0; level < LegTree::kDepth; ++level) {
-        const float* values = table.row(tree.feature[level]) + begin;
-        const float threshold = tree.threshold[level];
-        const std::int32_t bit = 1 << level;
-        for (int lane = 0; lane < kBlock; ++lane) leaf[lane] |= values[lane] > threshold ? bit : 0;
-      }
-      for (int lane = 0; lane < kBlock; ++lane) sum[lane] += tree.value[leaf[lane]];
-    }
-    for (int lane = 0; lane < kBlock; ++lane) sums[begin + lane] += sum[lane];
+// The leaf of each candidate of a block.
+[[gnu::always_inline]] inline void find_leaves(const LegTree& tree, const float* block, Ints& leaves) {
+  leaves = Ints{};
+  Floats values;
+  for (int level = 0; level < LegTree::kDepth; ++level) {
+    load(block + kBlock * tree.feature[level], values);
+    leaves |= (values > tree.threshold[level]) & (1 << level);
   }
+}
+
+// Adds what the trees say of a block's candidates to their sums.
+void add_trees_plain(std::span<const LegTree> trees, const float* block, float* sums) {
+  Ints leaves;
+  for (const LegTree& tree : trees) {
+    find_leaves(tree, block, leaves);
+    for (int lane = 0; lane < kBlock; ++lane) sums[lane] += tree.value[leaves[lane]];
+  }
+}
+
+#if defined(SCANBED_HAS_AVX2)
+static_assert(LegTree::kNumLeaves == 2 * kNumLanes);
+
+// A tree's values fill two registers, from which each lane picks its own.
+SCANBED_AVX2 void add_trees_avx2(std::span<const LegTree> trees, const float* block, float* sums) {
+  __m256 sum = _mm256_loadu_ps(sums);
+  Ints leaves;
+  for (const LegTree& tree : trees) {
+    find_leaves(tree, block, leaves);
+    const auto leaf = reinterpret_cast<__m256i>(leaves);
+    const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(tree.value.data()), leaf);
+    const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(tree.value.data() + kNumLanes), leaf);
+    // The blend goes by the highest bit of a lane; which half it is says bit 3.
+    const __m256 is_high = _mm256_castsi256_ps(_mm256_slli_epi32(leaf, 28));
+    sum = _mm256_add_ps(sum, _mm256_blendv_ps(low, high, is_high));
+  }
+  _mm256_storeu_ps(sums, sum);
+}
+#endif
+
+void add_trees(InstructionSet set, std::span<const LegTree> trees, const float* block, float* sums) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return add_trees_avx2(trees, block, sums);
+#endif
+  add_trees_plain(trees, block, sums);
 }
 
 }  // namespace
@@ -32,17 +67,30 @@ double LegForest::probability(float sum) const {
   return 1.0 / (1.0 + std::exp(-(slope * sum + offset)));
 }
 
-// Moves the candidates that stay to the front.
+void LegForestScorer::add(std::span<const LegTree> trees) {
+  for (int i = 0; i < table_.num_blocks(); ++i) {
+    add_trees(instructions_, trees, table_.block(i), sums_.data() + static_cast<std::ptrdiff_t>(i) * kBlock);
+  }
+}
+
+// Moves the candidates that stay to the front, if blocks become free by that.
 void LegForestScorer::keep_above(float min_sum) {
-  std::size_t num_kept = 0;
+  for (float& sum : sums_) {
+    if (sum < min_sum) sum = kGivenUp;
+  }
+  const auto stays = [&](std::size_t i) { return sums_[i] > kGivenUp / 2; };
+  int num_kept = 0;
+  for (std::size_t i = 0; i < candidate_.size(); ++i) num_kept += stays(i) ? 1 : 0;
+  if ((num_kept + kBlock - 1) / kBlock == table_.num_blocks()) return;
+  int to = 0;
   for (std::size_t i = 0; i < candidate_.size(); ++i) {
-    if (sums_[i] < min_sum) continue;
-    for (int f = 0; f < kNumLegFeatures; ++f) table_.row(f)[num_kept] = table_.row(f)[i];
-    sums_[num_kept] = sums_[i];
-    candidate_[num_kept++] = candidate_[i];
+    if (!stays(i)) continue;
+    if (to != static_cast<int>(i)) table_.copy(static_cast<int>(i), to);
+    sums_[to] = sums_[i];
+    candidate_[to++] = candidate_[i];
   }
   candidate_.resize(num_kept);
-  table_.shrink(static_cast<int>(num_kept));
+  table_.shrink(num_kept);
 }
 
 void LegForestScorer::score(const LegForest& forest, const LegFeatureTable& table,
@@ -50,17 +98,19 @@ void LegForestScorer::score(const LegForest& forest, const LegFeatureTable& tabl
   const int num_candidates = table.num_candidates();
   scores.assign(num_candidates, kGivenUp);
   table_ = table;
-  sums_.assign(table.num_padded(), 0.0F);
+  sums_.assign(static_cast<std::size_t>(table.num_blocks()) * kBlock, 0.0F);
   candidate_.resize(num_candidates);
   for (int i = 0; i < num_candidates; ++i) candidate_[i] = i;
   int num_done = 0;
   for (const LegForest::Checkpoint& checkpoint : forest.checkpoints) {
-    add_trees(forest.trees.subspan(num_done, checkpoint.num_trees - num_done), table_, sums_);
+    add(forest.trees.subspan(num_done, checkpoint.num_trees - num_done));
     num_done = checkpoint.num_trees;
     keep_above(checkpoint.min_sum);
   }
-  add_trees(forest.trees.subspan(num_done), table_, sums_);
-  for (std::size_t i = 0; i < candidate_.size(); ++i) scores[candidate_[i]] = sums_[i];
+  add(forest.trees.subspan(num_done));
+  for (std::size_t i = 0; i < candidate_.size(); ++i) {
+    if (sums_[i] > kGivenUp / 2) scores[candidate_[i]] = sums_[i];
+  }
 }
 
 }  // namespace scanbed

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/leg/leg_features.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -50,14 +51,19 @@ class LegForestScorer {
   /// What given-up candidates get.
   static constexpr float kGivenUp = -1e9F;
 
+  explicit LegForestScorer(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   /// @param scores  overwritten: sum of the forest's values of each candidate, or kGivenUp.
   void score(const LegForest& forest, const LegFeatureTable& table, std::vector<float>& scores);
 
  private:
+  void add(std::span<const LegTree> trees);
   void keep_above(float min_sum);
 
+  InstructionSet instructions_;
   LegFeatureTable table_;  ///< of the candidates still in the race
-  std::vector<float> sums_;
+  std::vector<float> sums_;  ///< kGivenUp or so: out of the race, though a lane of its block
   std::vector<int> candidate_;
 };
 

@@ -40,35 +40,6 @@ TEST(LegBeamsTest, EchoesLieWhereTheirBeamsPoint) {
   }
 }
 
-TEST(LegBeamsTest, SumsOfARunAreThoseOfItsEchoes) {
-  std::vector<double> range_m;
-  for (int i = 0; i < 50; ++i) range_m.push_back(2.0 + 0.3 * std::sin(1.7 * i));
-  LegBeams beams;
-  LegBeamReader().read(scan_of(range_m), beams);
-  const int first = 11;
-  const int last = 23;
-  EchoSums sums;
-  for (int k = first; k <= last; ++k) {
-    const double x = beams.echo_x_m[k];
-    const double y = beams.echo_y_m[k];
-    const double z = x * x + y * y;
-    sums.x += x;
-    sums.xy += x * y;
-    sums.range2 += beams.echo_range_m[k] * beams.echo_range_m[k];
-    sums.step2 += std::pow(beams.echo_range_m[k] - beams.echo_range_m[k - 1], 2);
-    sums.yz += y * z;
-    sums.zz += z * z;
-  }
-  const EchoSums& a = beams.sums[first];
-  const EchoSums& b = beams.sums[last + 1];
-  EXPECT_NEAR(b.x - a.x, sums.x, 1e-9);
-  EXPECT_NEAR(b.xy - a.xy, sums.xy, 1e-9);
-  EXPECT_NEAR(b.range2 - a.range2, sums.range2, 1e-9);
-  EXPECT_NEAR(b.step2 - a.step2, sums.step2, 1e-9);
-  EXPECT_NEAR(b.yz - a.yz, sums.yz, 1e-9);
-  EXPECT_NEAR(b.zz - a.zz, sums.zz, 1e-9);
-}
-
 TEST(LegBeamsTest, WholeBlocksCanBeReadFromEveryBeam) {
   for (const int num_beams : {0, 1, 7, 8, 9, 361}) {
     LegBeams beams;

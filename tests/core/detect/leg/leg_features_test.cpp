@@ -29,7 +29,7 @@ struct Read {
     LegFeatureReader().read(beams, candidates, table);
   }
   double value(LegFeature feature, std::size_t candidate) const {
-    return static_cast<double>(table.row(static_cast<int>(feature))[candidate]);
+    return static_cast<double>(table.at(static_cast<int>(feature), static_cast<int>(candidate)));
   }
   Vector2d point_m(int echo) const { return {beams.echo_x_m[echo], beams.echo_y_m[echo]}; }
 };
@@ -255,9 +255,20 @@ double largest_difference(const Read& a, const Read& b, bool mirrored) {
     }
     const auto d = found - b.candidates.runs.begin();
     for (int f = 0; f < kNumLegFeatures; ++f)
-      largest = std::max(largest, std::abs(static_cast<double>(a.table.row(f)[c] - b.table.row(f)[d])));
+      largest = std::max(largest, std::abs(static_cast<double>(a.table.at(f, static_cast<int>(c)) - b.table.at(f, static_cast<int>(d)))));
   }
   return largest;
+}
+
+TEST(LegFeaturesTest, EveryInstructionSetGivesTheSameBits) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Read read(furnished_scan(seed));
+    LegFeatureTable plain;
+    LegFeatureReader(InstructionSet::kPlain).read(read.beams, read.candidates, plain);
+    for (int f = 0; f < kNumLegFeatures; ++f) {
+      for (int c = 0; c < plain.num_candidates(); ++c) EXPECT_EQ(plain.at(f, c), read.table.at(f, c));
+    }
+  }
 }
 
 TEST(LegFeaturesTest, AMirroredScanHasTheSameFeatures) {

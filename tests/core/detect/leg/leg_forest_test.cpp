@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace scanbed {
@@ -27,7 +28,7 @@ LegFeatureTable random_table(int num_candidates, unsigned seed) {
   LegFeatureTable table;
   table.resize(num_candidates);
   for (int f = 0; f < kNumLegFeatures; ++f) {
-    for (int c = 0; c < num_candidates; ++c) table.row(f)[c] = unit(dice);
+    for (int c = 0; c < num_candidates; ++c) table.at(f, c) = unit(dice);
   }
   return table;
 }
@@ -36,7 +37,7 @@ LegFeatureTable random_table(int num_candidates, unsigned seed) {
 double walk(const LegTree& tree, const LegFeatureTable& table, int candidate) {
   int leaf = 0;
   for (int level = 0; level < LegTree::kDepth; ++level) {
-    if (table.row(tree.feature[level])[candidate] > tree.threshold[level]) leaf += 1 << level;
+    if (table.at(tree.feature[level], candidate) > tree.threshold[level]) leaf += 1 << level;
   }
   return static_cast<double>(tree.value[leaf]);
 }
@@ -79,6 +80,20 @@ TEST(LegForestTest, GivesUpWhatFallsBelowACheckpointAndNothingElse) {
   }
   EXPECT_GT(num_given_up, 10);
   EXPECT_LT(num_given_up, 50);
+}
+
+TEST(LegForestTest, EveryInstructionSetGivesTheSameBits) {
+  const std::vector<LegTree> trees = random_trees(50, 8);
+  const LegForest::Checkpoint checkpoints[] = {{10, -0.5F}, {25, 0.0F}};
+  const LegForest forest{.trees = trees, .checkpoints = checkpoints};
+  LegFeatureTable table = random_table(61, 9);
+  table.at(trees[0].feature[0], 3) = std::numeric_limits<float>::quiet_NaN();
+  table.at(trees[0].feature[0], 4) = trees[0].threshold[0];  // not greater
+  std::vector<float> plain;
+  LegForestScorer(InstructionSet::kPlain).score(forest, table, plain);
+  std::vector<float> widest;
+  LegForestScorer().score(forest, table, widest);
+  EXPECT_EQ(plain, widest);
 }
 
 TEST(LegForestTest, ScoresOneScanAfterAnother) {
