@@ -19,7 +19,7 @@ set(ours_scenarios core sim hw scenarios)
 # A header of the standard library is a bare word: <vector>. Others are allowed by floor.
 set(std "[a-z0-9_]+")
 set(posix "(sys|net|netinet|arpa|linux|asm)/.*\\.h|(unistd|fcntl|termios|poll|pty|dirent|netdb|signal|pwd|grp|spawn|fnmatch)\\.h")
-set(foreign_core "${std}|Eigen/.*")
+set(foreign_core "${std}|Eigen/.*|immintrin\\.h")
 set(foreign_sim "${foreign_core}|mujoco/.*|box2d/.*|GL/.*|(png|cairo)\\.h|pugixml\\.hpp|Random123/.*")
 set(foreign_hw "${foreign_core}|${posix}|asio\\.hpp|asio/.*|(zlib|bzlib|lz4|lz4frame|zstd)\\.h|(ros|rosbag)/.*")
 set(foreign_scenarios "${foreign_core}|${posix}|CLI/.*|(yaml-cpp|nlohmann|valijson|spdlog|fmt|SQLiteCpp)/.*|asio\\.hpp|asio/.*|(pugixml\\.hpp|httplib\\.h)")

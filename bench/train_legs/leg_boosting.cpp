@@ -32,11 +32,21 @@ class Booster {
     unit_ = static_cast<double>(n) / total;
   }
 
+  // Takes in what a tree says that was grown before.
+  void follow(const LegTree& tree) {
+    std::fill(leaf_.begin(), leaf_.end(), 0);
+    for (int level = 0; level < LegTree::kDepth; ++level) split(tree, level);
+    for (std::size_t i = 0; i < leaf_.size(); ++i) log_odds_[i] += tree.value[leaf_[i]];
+  }
+
   LegTree grow() {
     differentiate();
     std::fill(leaf_.begin(), leaf_.end(), 0);
     LegTree tree;
-    for (int level = 0; level < LegTree::kDepth; ++level) ask(tree, level);
+    for (int level = 0; level < LegTree::kDepth; ++level) {
+      ask(tree, level);
+      split(tree, level);
+    }
     const LeafSums sums = sums_of(tree, LegTree::kDepth - 1);
     for (int i = 0; i < LegTree::kNumLeaves; ++i) {
       const double step = sums.slope[i] / (sums.curvature[i] + options_.ridge);
@@ -76,8 +86,8 @@ class Booster {
     std::iota(order.begin(), order.end(), 0);
     LegTree best = tree;
     double best_gain = -1.0;
-    for (int i = 0; i < std::min(options_.num_tries, kNumLegFeatures); ++i) {
-      std::swap(order[i], order[dice_.whole(i, kNumLegFeatures - 1)]);
+    for (int i = 0; i < std::min(options_.num_tries, options_.num_features); ++i) {
+      std::swap(order[i], order[dice_.whole(i, options_.num_features - 1)]);
       const std::vector<float>& column = rows_.columns[order[i]];
       const float a = column[dice_.whole(0, rows_.size() - 1)];
       const float b = column[dice_.whole(0, rows_.size() - 1)];
@@ -89,6 +99,9 @@ class Booster {
       best = tree;
     }
     tree = best;
+  }
+
+  void split(const LegTree& tree, int level) {
     const std::vector<float>& column = rows_.columns[tree.feature[level]];
     for (std::size_t i = 0; i < column.size(); ++i) {
       if (column[i] > tree.threshold[level]) leaf_[i] |= static_cast<std::uint8_t>(1U << level);
@@ -119,9 +132,10 @@ void LegTrainingRows::add(const std::array<float, kNumLegFeatures>& features, bo
   weight.push_back(row_weight);
 }
 
-std::vector<LegTree> boost(const LegTrainingRows& rows, const BoostingOptions& options) {
-  std::vector<LegTree> trees;
+std::vector<LegTree> boost(const LegTrainingRows& rows, const BoostingOptions& options,
+                           std::vector<LegTree> trees) {
   Booster booster(rows, options);
+  for (const LegTree& tree : trees) booster.follow(tree);
   for (int i = 0; i < options.num_trees; ++i) trees.push_back(booster.grow());
   return trees;
 }

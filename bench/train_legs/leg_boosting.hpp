@@ -21,21 +21,24 @@ struct LegTrainingRows {
 };
 
 struct BoostingOptions {
-  int num_trees = 300;
-  double rate = 0.12;  ///< share of a tree's own best values that is taken
-  int num_tries = 16;  ///< random questions of which each level asks the best
-  double share = 0.7;  ///< of the rows that a tree sees
-  double ridge = 1.0;  ///< added to the curvature of every leaf, in rows of mean weight
+  int num_trees = 300;                 ///< to grow
+  int num_features = kNumLegFeatures;  ///< the first so many are asked for
+  double rate = 0.12;                  ///< share of a tree's own best values that is taken
+  int num_tries = kNumLegFeatures;     ///< features of which each level asks the best
+  double share = 0.7;                  ///< of the rows that a tree sees
+  double ridge = 1.0;                  ///< added to the curvature of every leaf, in rows of mean weight
   std::uint64_t seed = 1;
 };
 
 /// Grows symmetric trees on the logistic loss, each on what those before leave over. Questions are random: a
-/// feature, and a threshold somewhere between its values in two random rows. With few rows that leaves wider
-/// margins than thresholds that fit them best.
+/// threshold somewhere between a feature's values in two random rows. With few rows that leaves wider margins
+/// than thresholds that fit them best.
 ///
 /// @par Source  Friedman, "Greedy Function Approximation: A Gradient Boosting Machine", Ann. Statist. 2001
 ///              (Newton steps); Geurts, Ernst & Wehenkel, "Extremely Randomized Trees", Mach. Learn. 2006
 ///              (random thresholds). Departs: all nodes of a level share their question.
-std::vector<LegTree> boost(const LegTrainingRows& rows, const BoostingOptions& options);
+/// @param trees  go before those that are grown; what they leave over is learned.
+std::vector<LegTree> boost(const LegTrainingRows& rows, const BoostingOptions& options,
+                           std::vector<LegTree> trees = {});
 
 }  // namespace scanbed::bench

@@ -8,18 +8,21 @@
 
 #include "bench/train_legs/leg_calibration.hpp"
 #include "core/detect/leg/keep_best_legs.hpp"
+#include "core/detect/leg/leg_partners.hpp"
 
 namespace scanbed::bench {
 namespace {
 
 // A recorded candidate counts as much as so many simulated ones: few scans stand for all that is real. Half
-// as much loses one labelled leg in thirty, twice as much one simulated leg in ten.
-constexpr double kRecordedWeight = 40.0;
+// as much loses one labelled leg in fifty, twice as much one simulated leg in fifteen.
+constexpr double kRecordedWeight = 20.0;
 constexpr std::uint64_t kUnseenSeed = 1000001;
 constexpr std::uint64_t kRandomSeed = 777000001;  // not those that scenarios and results ask for
 constexpr std::uint64_t kUnseenRandomSeed = 778000001;
 
-constexpr std::array kCheckpoints = {30, 100};
+constexpr int kNumTrees = 300;
+constexpr int kNumAlone = 60;
+constexpr std::array kCheckpoints = {60, 120};
 constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
 constexpr double kLostShare = 0.002;        // of what ends above
 constexpr float kMargin = 0.3F;             // log-odds
@@ -55,8 +58,46 @@ std::vector<float> sums_of(std::span<const LegTree> trees, std::span<const LegSa
     for (int f = 0; f < kNumLegFeatures; ++f) table.at(f, static_cast<int>(i)) = samples[i].features[f];
   }
   std::vector<float> sums;
-  LegForestScorer().score({.trees = trees}, table, sums);
+  LegForestScorer().score({.trees = trees}, table, {}, sums);
   return sums;
+}
+
+// Calls use(first, last) with the samples of each scan; those of one stand together.
+template <typename Use>
+void for_each_scan(std::span<const LegSample> samples, const Use& use) {
+  for (std::size_t begin = 0; begin < samples.size();) {
+    std::size_t end = begin;
+    while (end < samples.size() && samples[end].scan == samples[begin].scan) ++end;
+    use(begin, end);
+    begin = end;
+  }
+}
+
+// The samples with what they say of each other, as these trees judge each by itself.
+std::vector<LegSample> with_partners(std::span<const LegTree> trees, std::vector<LegSample> samples) {
+  const std::vector<float> sums = sums_of(trees, samples);
+  LegPartnerReader reader;
+  LegFeatureTable table;
+  std::vector<LegPlace> places;
+  for_each_scan(samples, [&](std::size_t begin, std::size_t end) {
+    places.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector2f p_m = samples[i].center_m.cast<float>();
+      places.push_back({samples[i].beams.first, samples[i].beams.last, p_m.x(), p_m.y()});
+    }
+    table.resize(static_cast<int>(places.size()));
+    reader.read(places, std::span(sums).subspan(begin, places.size()), table);
+    for (std::size_t i = begin; i < end; ++i) {
+      for (int f = kNumOwnLegFeatures; f < kNumLegFeatures; ++f)
+        samples[i].features[f] = table.at(f, static_cast<int>(i - begin));
+    }
+  });
+  return samples;
+}
+
+// Sums of all the forest's trees.
+std::vector<float> sums_of(const OwnedLegForest& forest, const std::vector<LegSample>& samples) {
+  return sums_of(forest.trees, with_partners(std::span(forest.trees).first(forest.num_alone), samples));
 }
 
 // What non-maximum suppression leaves of one scan's candidates.
@@ -76,24 +117,21 @@ void judge_scan(std::span<const LegSample> samples, std::span<const float> sums,
   }
 }
 
-void judge(std::span<const LegTree> trees, std::span<const LegSample> samples,
-           std::vector<JudgedSum>& judged) {
-  const std::vector<float> sums = sums_of(trees, samples);
-  for (std::size_t begin = 0; begin < samples.size();) {
-    std::size_t end = begin;
-    while (end < samples.size() && samples[end].scan == samples[begin].scan) ++end;
+void judge(const OwnedLegForest& forest, std::span<const LegSample> samples, std::vector<JudgedSum>& judged) {
+  const std::vector<float> sums = sums_of(forest, {samples.begin(), samples.end()});
+  for_each_scan(samples, [&](std::size_t begin, std::size_t end) {
     judge_scan(samples.subspan(begin, end - begin), std::span(sums).subspan(begin, end - begin), judged);
-    begin = end;
-  }
+  });
 }
 
 // Bounds that give up next to nothing of what would be reported in the end.
 void set_checkpoints(const LegCorpus& corpus, OwnedLegForest& forest) {
   std::vector<LegSample> likely;
   for (const auto* samples : {&corpus.pos1, &corpus.pos2, &corpus.nobody, &corpus.unseen}) {
-    const std::vector<float> sums = sums_of(forest.trees, *samples);
+    const auto told = with_partners(std::span(forest.trees).first(forest.num_alone), *samples);
+    const std::vector<float> sums = sums_of(forest.trees, told);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      if (forest.view().probability(sums[i]) >= kLeastProbability) likely.push_back((*samples)[i]);
+      if (forest.view().probability(sums[i]) >= kLeastProbability) likely.push_back(told[i]);
     }
   }
   for (const int count : kCheckpoints) {
@@ -130,29 +168,39 @@ int nobody_part(const LegCorpus& corpus, const LegSample& sample) {
 }
 
 OwnedLegForest train_legs(const LegCorpus& corpus, const HeldOut& held_out) {
-  LegTrainingRows rows;
-  if (!held_out.pos1) add(corpus.pos1, kRecordedWeight, rows);
-  if (!held_out.pos2) add(corpus.pos2, kRecordedWeight, rows);
   std::vector<LegSample> nobody;
   std::copy_if(corpus.nobody.begin(), corpus.nobody.end(), std::back_inserter(nobody),
                [&](const LegSample& s) { return nobody_part(corpus, s) != held_out.nobody_part; });
-  add(nobody, kRecordedWeight, rows);
-  add(corpus.simulated, 1.0, rows);
-  balance(rows);
-  return {.trees = boost(rows, {})};
+  OwnedLegForest forest;
+  const auto learn = [&](const BoostingOptions& options) {
+    const auto told = [&](const std::vector<LegSample>& samples) {
+      return with_partners(forest.trees, samples);
+    };
+    LegTrainingRows rows;
+    if (!held_out.pos1) add(told(corpus.pos1), kRecordedWeight, rows);
+    if (!held_out.pos2) add(told(corpus.pos2), kRecordedWeight, rows);
+    add(told(nobody), kRecordedWeight, rows);
+    add(told(corpus.simulated), 1.0, rows);
+    balance(rows);
+    forest.trees = boost(rows, options, forest.trees);
+  };
+  learn({.num_trees = kNumAlone, .num_features = kNumOwnLegFeatures, .seed = 1});
+  learn({.num_trees = kNumTrees - kNumAlone, .seed = 2});
+  forest.num_alone = kNumAlone;
+  return forest;
 }
 
 OwnedLegForest train_detector(const LegCorpus& corpus) {
   std::vector<JudgedSum> judged;
   for (int part = 0; part < kNumNobodyParts; ++part) {
     for (const bool first : {true, false}) {
-      const auto trees = train_legs(corpus, {.pos1 = first, .pos2 = !first, .nobody_part = part}).trees;
-      judge(trees, first ? corpus.pos1 : corpus.pos2, judged);
+      const OwnedLegForest forest = train_legs(corpus, {.pos1 = first, .pos2 = !first, .nobody_part = part});
+      judge(forest, first ? corpus.pos1 : corpus.pos2, judged);
       std::vector<LegSample> nobody;
       std::copy_if(corpus.nobody.begin(), corpus.nobody.end(), std::back_inserter(nobody),
                    [&](const LegSample& s) { return nobody_part(corpus, s) == part; });
-      judge(trees, nobody, judged);
-      judge(trees, corpus.unseen, judged);
+      judge(forest, nobody, judged);
+      judge(forest, corpus.unseen, judged);
     }
   }
   OwnedLegForest forest = train_legs(corpus, {});

@@ -43,10 +43,11 @@ int nobody_part(const LegCorpus& corpus, const LegSample& sample);
 struct OwnedLegForest {
   std::vector<LegTree> trees;
   std::vector<LegForest::Checkpoint> checkpoints;
+  int num_alone = 0;
   double slope = 1.0;
   double offset = 0.0;
 
-  LegForest view() const { return {trees, checkpoints, slope, offset}; }
+  LegForest view() const { return {trees, checkpoints, num_alone, slope, offset}; }
 };
 
 /// Trains a forest on all that is not held out; always the same for the same corpus. Uncalibrated and without

@@ -49,8 +49,9 @@ std::string source_of(const OwnedLegForest& forest) {
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "};\n\n}  // namespace\n\n"
          "const LegForest& trained_leg_forest() {\n"
-      << "  static constexpr LegForest kForest{kTrees, kCheckpoints, " << std::showpoint << forest.slope
-      << ", " << forest.offset << "};\n  return kForest;\n}\n\n}  // namespace scanbed\n";
+      << "  static constexpr LegForest kForest{kTrees, kCheckpoints, " << forest.num_alone << ", "
+      << std::showpoint << forest.slope << ", " << forest.offset
+      << "};\n  return kForest;\n}\n\n}  // namespace scanbed\n";
   return out.str();
 }
 

@@ -19,14 +19,28 @@ using Ints = std::int32_t __attribute__((vector_size(kNumLanes * sizeof(std::int
   std::memcpy(&lanes, values, sizeof lanes);
 }
 
+[[gnu::always_inline]] inline void load(const std::int32_t* values, Ints& lanes) {
+  std::memcpy(&lanes, values, sizeof lanes);
+}
+
 [[gnu::always_inline]] inline void lower(Floats& least, const Floats& values) {
   least = values < least ? values : least;
+}
+
+[[gnu::always_inline]] inline void raise(Floats& greatest, const Floats& values) {
+  greatest = values > greatest ? values : greatest;
 }
 
 inline float least_of(const Floats& lanes) {
   float least = lanes[0];
   for (int i = 1; i < kNumLanes; ++i) least = lanes[i] < least ? lanes[i] : least;
   return least;
+}
+
+inline float greatest_of(const Floats& lanes) {
+  float greatest = lanes[0];
+  for (int i = 1; i < kNumLanes; ++i) greatest = lanes[i] > greatest ? lanes[i] : greatest;
+  return greatest;
 }
 
 /// How often a comparison held whose results were subtracted.

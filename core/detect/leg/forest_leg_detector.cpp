@@ -12,7 +12,7 @@ void ForestLegDetector::detect(const LaserScan& scan, const LegForest& forest, c
   beam_reader_.read(scan, beams_);
   finder_.find(beams_, candidates_);
   feature_reader_.read(beams_, candidates_, table_);
-  scorer_.score(forest, table_, sums_);
+  scorer_.score(forest, table_, feature_reader_.places(), sums_);
   found_.clear();
   for (std::size_t i = 0; i < candidates_.runs.size(); ++i) {
     if (sums_[i] == LegForestScorer::kGivenUp) continue;

@@ -19,17 +19,17 @@ constexpr float kNearReach_m = 1.0F;
 constexpr float kBesideReach_m = 0.5F;
 constexpr float kMaxJump_m = 2.0F;
 constexpr double kMaxRadius_m = 0.5;
-constexpr float kFar_m2 = 1e6F;  // beyond all reaches
+constexpr float kFar_m2 = 1e6F;         // beyond all reaches
 constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape too
 constexpr float kMaxRunWidth_m = 5.0F;
 
 constexpr std::array<std::string_view, kNumLegFeatures> kNames = {
-    "num_points",    "width",           "filled",        "range",         "near_30",      "near_50",
-    "near_100",      "near_wall_100",   "nearest",       "nearest_wall",  "num_small",    "nearest_small",
-    "small_width",   "circle_residual", "circle_radius", "line_residual", "bow",          "inscribed",
-    "tilt",          "range_std",       "step",          "fine_width",    "middle_width", "coarse_width",
-    "least_jump",    "largest_jump",    "open_25",       "open_60",       "hidden",       "nearest_beside",
-    "nearest_behind"};
+    "num_points",     "width",           "filled",        "range",         "near_30",      "near_50",
+    "near_100",       "near_wall_100",   "nearest",       "nearest_wall",  "num_small",    "nearest_small",
+    "small_width",    "circle_residual", "circle_radius", "line_residual", "bow",          "inscribed",
+    "tilt",           "range_std",       "step",          "fine_width",    "middle_width", "coarse_width",
+    "least_jump",     "largest_jump",    "open_25",       "open_60",       "hidden",       "nearest_beside",
+    "nearest_behind", "partner_35",      "partner_80",    "rival"};
 
 float& at(std::array<float, kNumLegFeatures>& values, LegFeature feature) {
   return values[static_cast<std::size_t>(feature)];
@@ -37,9 +37,9 @@ float& at(std::array<float, kNumLegFeatures>& values, LegFeature feature) {
 
 // Moments of a run about its centroid, per point.
 struct Moments {
-  double x = 0.0, y = 0.0;               // centroid
-  double xx = 0.0, xy = 0.0, yy = 0.0;   // covariance of the points
-  double xz = 0.0, yz = 0.0, zz = 0.0;   // with z = x^2 + y^2, about the centroid too
+  double x = 0.0, y = 0.0;              // centroid
+  double xx = 0.0, xy = 0.0, yy = 0.0;  // covariance of the points
+  double xz = 0.0, yz = 0.0, zz = 0.0;  // with z = x^2 + y^2, about the centroid too
   double range = 0.0, range_var = 0.0;
   double step2 = 0.0;  // mean square of the steps of range
 };
@@ -93,8 +93,8 @@ struct CircleShape {
   float radius_m = static_cast<float>(kMaxRadius_m);
 };
 
-// Least squares of z = 2 a x + 2 b y + c about the centroid; the residual of z over the diameter is that of the
-// radius.
+// Least squares of z = 2 a x + 2 b y + c about the centroid; the residual of z over the diameter is that of
+// the radius.
 CircleShape circle_of(const Moments& m, int n) {
   const double det = m.xx * m.yy - m.xy * m.xy;
   if (n < 3 || det <= 1e-12) return {};
@@ -231,7 +231,8 @@ void count_near(InstructionSet set, const Surroundings& around, const BeamRange&
   count_near_in(around, beams, near);
 }
 
-void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamRange& beams, BesideBeams& beside) {
+void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamRange& beams,
+                 BesideBeams& beside) {
 #if defined(SCANBED_HAS_AVX2)
   if (set == InstructionSet::kAvx2) return look_beside_avx2(ranges_m, own_m, beams, beside);
 #endif
@@ -380,6 +381,7 @@ void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidat
   const int num_candidates = static_cast<int>(candidates.runs.size());
   table.resize(num_candidates);
   constexpr std::array kWidths = {LegFeature::kFineWidth, LegFeature::kMiddleWidth, LegFeature::kCoarseWidth};
+  places_.clear();
   Values values{};
   for (int c = 0; c < num_candidates; ++c) {
     const EchoRun& run = candidates.runs[c];
@@ -392,7 +394,8 @@ void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidat
       const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
       at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
     }
-    for (int f = 0; f < kNumLegFeatures; ++f) table.at(f, c) = values[f];
+    for (int f = 0; f < kNumOwnLegFeatures; ++f) table.at(f, c) = values[f];
+    places_.push_back({beams.beam[run.first], beams.beam[run.last], x_m_, y_m_});
   }
 }
 

@@ -48,13 +48,26 @@ enum class LegFeature {
   kHidden,          ///< share of the beams beside that end 0.15 m before
   kNearestBeside,   ///< least difference of range to a beam beside, at most 2
   kNearestBehind,   ///< to one that sees no more than 0.1 m less far
+  kPartner35,       ///< greatest sum of a candidate beside it within 0.35 m (leg_partners.hpp)
+  kPartner80,       ///< within 0.8 m
+  kRival,           ///< of one that shares beams with it
   kCount,
 };
 
 inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
+/// What is measured of each candidate by itself stands before what others add.
+inline constexpr int kNumOwnLegFeatures = static_cast<int>(LegFeature::kPartner35);
 
 /// Name of a feature in training files.
 std::string_view name_of(LegFeature feature);
+
+/// Where a candidate is: its beams, both ends included, and its centroid in the sensor frame S.
+struct LegPlace {
+  int first = 0;
+  int last = 0;
+  float x_m = 0.0F;
+  float y_m = 0.0F;
+};
 
 /// Features of many candidates, in blocks: what is read together stands together.
 class LegFeatureTable {
@@ -90,7 +103,10 @@ class LegFeatureReader {
   explicit LegFeatureReader(InstructionSet instructions = widest_instruction_set())
       : instructions_(instructions) {}
 
+  /// Reads all but what the candidates say of each other (leg_partners.hpp).
   void read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table);
+  /// Of the candidates read last.
+  const std::vector<LegPlace>& places() const { return places_; }
 
  private:
   /// A run that could be somebody's other leg.
@@ -109,6 +125,7 @@ class LegFeatureReader {
   InstructionSet instructions_;
   std::vector<float> off_wall_m2_;  ///< of each beam: 0 on a wall-like run, else much; padded like beams
   std::vector<SmallRun> small_runs_;
+  std::vector<LegPlace> places_;
   float x_m_ = 0.0F, y_m_ = 0.0F, range_m_ = 0.0F, spacing_m_ = 0.0F;  ///< of the candidate at hand
 };
 

@@ -94,14 +94,16 @@ void LegForestScorer::keep_above(float min_sum) {
 }
 
 void LegForestScorer::score(const LegForest& forest, const LegFeatureTable& table,
-                            std::vector<float>& scores) {
+                            std::span<const LegPlace> places, std::vector<float>& scores) {
   const int num_candidates = table.num_candidates();
   scores.assign(num_candidates, kGivenUp);
   table_ = table;
   sums_.assign(static_cast<std::size_t>(table.num_blocks()) * kBlock, 0.0F);
   candidate_.resize(num_candidates);
   for (int i = 0; i < num_candidates; ++i) candidate_[i] = i;
-  int num_done = 0;
+  add(forest.trees.first(forest.num_alone));
+  if (!places.empty()) partner_reader_.read(places, sums_, table_);
+  int num_done = forest.num_alone;
   for (const LegForest::Checkpoint& checkpoint : forest.checkpoints) {
     add(forest.trees.subspan(num_done, checkpoint.num_trees - num_done));
     num_done = checkpoint.num_trees;

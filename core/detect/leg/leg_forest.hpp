@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/leg/leg_features.hpp"
+#include "core/detect/leg/leg_partners.hpp"
 #include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
@@ -30,7 +31,10 @@ struct LegForest {
     float min_sum = 0.0F;
   };
   std::span<const LegTree> trees;
-  std::span<const Checkpoint> checkpoints;  ///< rising
+  std::span<const Checkpoint> checkpoints;  ///< rising; none before num_alone
+  /// So many trees judge each candidate by itself. What they add up to tells the others how likely the
+  /// candidate's neighbours are legs.
+  int num_alone = 0;
   // Calibration on candidates that were not trained on.
   double slope = 1.0;
   double offset = 0.0;
@@ -52,17 +56,20 @@ class LegForestScorer {
   static constexpr float kGivenUp = -1e9F;
 
   explicit LegForestScorer(InstructionSet instructions = widest_instruction_set())
-      : instructions_(instructions) {}
+      : instructions_(instructions), partner_reader_(instructions) {}
 
+  /// @param places  of the table's candidates. Without any, the table has what they say of each other.
   /// @param scores  overwritten: sum of the forest's values of each candidate, or kGivenUp.
-  void score(const LegForest& forest, const LegFeatureTable& table, std::vector<float>& scores);
+  void score(const LegForest& forest, const LegFeatureTable& table, std::span<const LegPlace> places,
+             std::vector<float>& scores);
 
  private:
   void add(std::span<const LegTree> trees);
   void keep_above(float min_sum);
 
   InstructionSet instructions_;
-  LegFeatureTable table_;  ///< of the candidates still in the race
+  LegPartnerReader partner_reader_;
+  LegFeatureTable table_;    ///< of the candidates still in the race
   std::vector<float> sums_;  ///< kGivenUp or so: out of the race, though a lane of its block
   std::vector<int> candidate_;
 };

@@ -18,9 +18,17 @@ TEST(LegForestDataTest, EveryTreeAsksFeaturesThatThereAre) {
   }
 }
 
+TEST(LegForestDataTest, TheFirstTreesAskNothingOfPartners) {
+  const LegForest& forest = trained_leg_forest();
+  ASSERT_GT(forest.num_alone, 0);
+  for (const LegTree& tree : forest.trees.first(forest.num_alone)) {
+    for (const std::uint8_t feature : tree.feature) EXPECT_LT(feature, kNumOwnLegFeatures);
+  }
+}
+
 TEST(LegForestDataTest, CheckpointsRiseWithinTheForest) {
   const LegForest& forest = trained_leg_forest();
-  int before = 0;
+  int before = forest.num_alone - 1;
   for (const LegForest::Checkpoint& checkpoint : forest.checkpoints) {
     EXPECT_GT(checkpoint.num_trees, before);
     before = checkpoint.num_trees;

@@ -47,7 +47,7 @@ TEST(LegForestTest, AddsUpWhatEachTreeSays) {
   for (const int num_candidates : {0, 1, 7, 8, 9, 50}) {
     const LegFeatureTable table = random_table(num_candidates, 2);
     std::vector<float> scores;
-    LegForestScorer().score({.trees = trees}, table, scores);
+    LegForestScorer().score({.trees = trees}, table, {}, scores);
     ASSERT_EQ(static_cast<int>(scores.size()), num_candidates);
     for (int c = 0; c < num_candidates; ++c) {
       double expected = 0.0;
@@ -62,7 +62,7 @@ TEST(LegForestTest, GivesUpWhatFallsBelowACheckpointAndNothingElse) {
   const LegForest::Checkpoint checkpoints[] = {{10, -0.5F}, {25, 0.0F}};
   const LegFeatureTable table = random_table(60, 4);
   std::vector<float> scores;
-  LegForestScorer().score({.trees = trees, .checkpoints = checkpoints}, table, scores);
+  LegForestScorer().score({.trees = trees, .checkpoints = checkpoints}, table, {}, scores);
   int num_given_up = 0;
   for (int c = 0; c < 60; ++c) {
     double sum = 0.0;
@@ -82,6 +82,23 @@ TEST(LegForestTest, GivesUpWhatFallsBelowACheckpointAndNothingElse) {
   EXPECT_LT(num_given_up, 50);
 }
 
+TEST(LegForestTest, LaterTreesAskWhatTheFirstThinkOfPartners) {
+  constexpr float kNever = 1e9F;
+  std::vector<LegTree> trees(2, LegTree{.threshold = {0.0F, kNever, kNever, kNever}});
+  // A candidate by itself is a leg if its first feature is positive, ...
+  trees[0].value = {-1.0F, 1.0F};
+  // ... and more so if there is another one.
+  trees[1].feature[0] = static_cast<std::uint8_t>(LegFeature::kPartner35);
+  trees[1].value = {0.0F, 10.0F};
+  LegFeatureTable table;
+  table.resize(3);
+  for (int c = 0; c < 3; ++c) table.at(0, c) = c == 1 ? -1.0F : 1.0F;
+  const LegPlace places[] = {{10, 15, 2.0F, 0.0F}, {17, 20, 2.0F, 0.2F}, {30, 35, 4.0F, 3.0F}};
+  std::vector<float> scores;
+  LegForestScorer().score({.trees = trees, .num_alone = 1}, table, places, scores);
+  EXPECT_EQ(scores, (std::vector<float>{1.0F, 9.0F, 1.0F}));
+}
+
 TEST(LegForestTest, EveryInstructionSetGivesTheSameBits) {
   const std::vector<LegTree> trees = random_trees(50, 8);
   const LegForest::Checkpoint checkpoints[] = {{10, -0.5F}, {25, 0.0F}};
@@ -90,9 +107,9 @@ TEST(LegForestTest, EveryInstructionSetGivesTheSameBits) {
   table.at(trees[0].feature[0], 3) = std::numeric_limits<float>::quiet_NaN();
   table.at(trees[0].feature[0], 4) = trees[0].threshold[0];  // not greater
   std::vector<float> plain;
-  LegForestScorer(InstructionSet::kPlain).score(forest, table, plain);
+  LegForestScorer(InstructionSet::kPlain).score(forest, table, {}, plain);
   std::vector<float> widest;
-  LegForestScorer().score(forest, table, widest);
+  LegForestScorer().score(forest, table, {}, widest);
   EXPECT_EQ(plain, widest);
 }
 
@@ -102,11 +119,11 @@ TEST(LegForestTest, ScoresOneScanAfterAnother) {
   const LegForest forest{.trees = trees, .checkpoints = checkpoints};
   LegForestScorer used;
   std::vector<float> first;
-  used.score(forest, random_table(50, 6), first);
+  used.score(forest, random_table(50, 6), {}, first);
   std::vector<float> again;
-  used.score(forest, random_table(20, 7), again);
+  used.score(forest, random_table(20, 7), {}, again);
   std::vector<float> fresh;
-  LegForestScorer().score(forest, random_table(20, 7), fresh);
+  LegForestScorer().score(forest, random_table(20, 7), {}, fresh);
   EXPECT_EQ(again, fresh);
 }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/detect/leg/leg_features.hpp"
+
+namespace scanbed {
+
+/// Writes down, of each candidate, how likely those around it are legs: a leg seldom stands alone, and of
+/// what overlaps one only is a leg.
+class LegPartnerReader {
+ public:
+  static constexpr float kUnlikely = -3.0F;  ///< sums below are all the same
+
+  explicit LegPartnerReader(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
+  /// Fills in kPartner35, kPartner80 and kRival of all the table's candidates.
+  /// @param places, sums  of each candidate; the sums say how likely it is a leg by itself.
+  void read(std::span<const LegPlace> places, std::span<const float> sums, LegFeatureTable& table);
+
+  /// Candidates that may well be legs, padded to whole blocks by some that are not.
+  struct Likely {
+    std::vector<std::int32_t> first, last;
+    std::vector<float> x_m, y_m, sum;
+  };
+
+ private:
+  void gather(std::span<const LegPlace> places, std::span<const float> sums);
+
+  InstructionSet instructions_;
+  Likely likely_;
+};
+
+}  // namespace scanbed
