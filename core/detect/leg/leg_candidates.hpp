@@ -45,7 +45,7 @@ class LegCandidateFinder {
  private:
   /// Two neighbouring echoes that may not belong together.
   struct Gap {
-    int after = 0;           ///< the echo behind the gap
+    int after = 0;          ///< the echo behind the gap
     double excess_m = 0.0;  ///< distance beyond what the beam spacing allows for
   };
 

@@ -255,7 +255,8 @@ double largest_difference(const Read& a, const Read& b, bool mirrored) {
     }
     const auto d = found - b.candidates.runs.begin();
     for (int f = 0; f < kNumLegFeatures; ++f)
-      largest = std::max(largest, std::abs(static_cast<double>(a.table.at(f, static_cast<int>(c)) - b.table.at(f, static_cast<int>(d)))));
+      largest = std::max(largest, std::abs(static_cast<double>(a.table.at(f, static_cast<int>(c)) -
+                                                               b.table.at(f, static_cast<int>(d)))));
   }
   return largest;
 }
