@@ -8,9 +8,13 @@ namespace scanbed {
 namespace {
 
 constexpr double kMaxLogOdds = 4.0;
-constexpr double kMissLogOdds = -1.5;   // of looking at an empty place
-constexpr double kMaxEmpty_s = 0.4;     // a place looked through so long has lost its track
-constexpr double kMaxOccupied_s = 1.0;  // likewise where something stands that is not recognised
+constexpr double kMissLogOdds = -1.5;       // of looking at an empty place
+constexpr double kMaxEmpty_s = 0.4;         // a place looked through so long has lost its track
+constexpr double kMaxOccupied_s = 1.0;      // likewise where something stands that is not recognised
+constexpr double kMaxUnrecognised_s = 0.5;  // what stands where somebody stood is taken for them so long
+constexpr double kMaxDoubt_m = 0.35;        // standard deviation of a place beyond which it says nothing
+constexpr double kLegReach_m = 0.4;         // of a leg from the person's middle
+constexpr int kMinLegEchoes = 2;
 constexpr double kMinSettled_s = 0.7;
 constexpr double kMaxSettled_m = 0.08;
 
@@ -48,9 +52,17 @@ void LiveTrack::count_hit(double feature_log_odds, const TrackedScan& now, const
   if (history.net_displacement_m() >= options.mobile_distance_m) is_mobile = true;
 }
 
+PlaceView LiveTrack::view_of_place(const TrackedScan& now, double size_m) const {
+  const Eigen::Vector2d p_ST_m = now.X_WS.inverse() * point.p_m;
+  const PlaceView middle = view_of(now.scan, p_ST_m, size_m);
+  if (kind != TrackKind::kPerson || middle != PlaceView::kEmpty) return middle;
+  // Beams pass between a person's legs.
+  return num_echoes_near(now.scan, p_ST_m, kLegReach_m) >= kMinLegEchoes ? PlaceView::kOccupied : middle;
+}
+
 void LiveTrack::count_miss(const TrackedScan& now, double size_m, const TrackOptions& options) {
   ++num_missed;
-  const PlaceView view = view_of(now.scan, now.X_WS.inverse() * point.p_m, size_m);
+  view = view_of_place(now, size_m);
   (view == PlaceView::kHidden ? hidden_s : view == PlaceView::kOccupied ? occupied_s : empty_s) += now.dt_s;
   if (view == PlaceView::kEmpty) {
     log_odds = options.evidence_keep_ratio * log_odds + (1.0 - options.evidence_keep_ratio) * kMissLogOdds;
@@ -61,6 +73,14 @@ void LiveTrack::count_miss(const TrackedScan& now, double size_m, const TrackOpt
   const bool is_gone = empty_s > kMaxEmpty_s || occupied_s > max_occupied_s;
   is_dead = hidden_s > options.max_hidden_s ||
             (num_missed > options.num_coasted_scans && (is_gone || !is_confirmed(options)));
+}
+
+bool LiveTrack::is_at_hand(const TrackOptions& options) const {
+  if (num_missed == 0) return true;
+  if (kind == TrackKind::kCylinder) return num_missed <= options.num_coasted_scans;
+  if (view == PlaceView::kEmpty || point.var_p_m2 > kMaxDoubt_m * kMaxDoubt_m) return false;
+  const bool stands_there = unseen_s <= kMaxUnrecognised_s && hidden_s + empty_s == 0.0;
+  return num_missed <= options.num_coasted_scans || (kind == TrackKind::kPerson && stands_there);
 }
 
 bool LiveTrack::is_settled() const {

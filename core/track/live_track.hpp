@@ -23,13 +23,14 @@ struct LiveTrack {
   MovingPoint point;
   PlaceHistory history;
   int num_hits = 0;
-  int num_missed = 0;       ///< scans in a row
-  double unseen_s = 0.0;    ///< since the last hit
-  double hidden_s = 0.0;    ///< of these: while something nearer hid it
-  double occupied_s = 0.0;  ///< while something stood there that was not recognised
-  double empty_s = 0.0;     ///< the rest
-  double log_odds = 0.0;    ///< mean along the track
-  double radius_m = 0.0;    ///< of a cylinder
+  int num_missed = 0;                     ///< scans in a row
+  double unseen_s = 0.0;                  ///< since the last hit
+  double hidden_s = 0.0;                  ///< of these: while something nearer hid it
+  double occupied_s = 0.0;                ///< while something stood there that was not recognised
+  double empty_s = 0.0;                   ///< the rest
+  PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
+  double log_odds = 0.0;                  ///< mean along the track
+  double radius_m = 0.0;                  ///< of a cylinder
   bool is_mobile = false;
   bool is_dead = false;
   int feature = kNoFeature;
@@ -51,12 +52,19 @@ struct LiveTrack {
   /// @param size_m  radius of what is looked for.
   void count_miss(const TrackedScan& now, double size_m, const TrackOptions& options);
 
+  /// It was seen in this scan, or is most likely still where it is expected: not for long, and neither where
+  /// beams pass nor where so much time has made its place too doubtful to tell.
+  bool is_at_hand(const TrackOptions& options) const;
+
   /// It has been watched for a while and stood still.
   bool is_settled() const;
 
   /// From mean log-odds and net displacement.
   double evidence(const TrackOptions& options) const;
   double score(const TrackOptions& options) const;
+
+ private:
+  PlaceView view_of_place(const TrackedScan& now, double size_m) const;
 };
 
 /// Log-odds of a score in [0, 1], bounded to +-4.

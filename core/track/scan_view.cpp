@@ -4,8 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/polar.hpp"
+
 namespace scanbed {
 namespace {
+
+/// Beams from first to last; none where last < first.
+struct BeamRange {
+  int first = 0;
+  int last = -1;
+};
+
+// The scan's beams within an angle to either side of the way to p.
+BeamRange beams_towards(const LaserScan& scan, const Eigen::Vector2d& p_m, double half_width_rad) {
+  const double step_rad = scan.geometry.step_rad;
+  const double turn = 2.0 * kPi / std::abs(step_rad);
+  const double unwrapped = (std::atan2(p_m.y(), p_m.x()) - scan.geometry.first_rad) / step_rad;
+  const double middle = unwrapped - turn * std::floor((unwrapped + 0.5) / turn);
+  const double half_width = half_width_rad / std::abs(step_rad);
+  return {static_cast<int>(std::max(0.0, std::round(middle - half_width))),
+          static_cast<int>(std::min(scan.num_beams() - 1.0, std::round(middle + half_width)))};
+}
+
+// From inside the disc, or with a scan without beams, there is nothing to see of it.
+bool can_be_seen(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m) {
+  return p_m.norm() > radius_m && std::abs(scan.geometry.step_rad) > 0.0 && scan.num_beams() > 0;
+}
 
 struct Counts {
   int nearer = 0;
@@ -16,19 +40,12 @@ struct Counts {
 }  // namespace
 
 PlaceView view_of(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m) {
+  if (!can_be_seen(scan, p_m, radius_m)) return PlaceView::kOutOfView;
   const double distance_m = p_m.norm();
-  const double step_rad = std::abs(scan.geometry.step_rad);
-  if (!(distance_m > radius_m) || !(step_rad > 0.0) || scan.num_beams() == 0) return PlaceView::kOutOfView;
-  const double turn = 2.0 * kPi / step_rad;
-  const double from_first_rad = std::atan2(p_m.y(), p_m.x()) - scan.geometry.first_rad;
-  const double unwrapped = from_first_rad / scan.geometry.step_rad;
-  const double middle = unwrapped - turn * std::floor((unwrapped + 0.5) / turn);
   // Half the disc is enough: its rim is where other things begin.
-  const double half_width = 0.5 * std::asin(std::min(1.0, radius_m / distance_m)) / step_rad;
-  const double first = std::max(0.0, std::round(middle - half_width));
-  const double last = std::min(scan.num_beams() - 1.0, std::round(middle + half_width));
+  const BeamRange beams = beams_towards(scan, p_m, 0.5 * std::asin(std::min(1.0, radius_m / distance_m)));
   Counts counts;
-  for (int beam = static_cast<int>(first); beam <= static_cast<int>(last); ++beam) {
+  for (int beam = beams.first; beam <= beams.last; ++beam) {
     const double range_m = scan.range_m[beam];
     if (std::isnan(range_m)) continue;
     ++(range_m < distance_m - radius_m    ? counts.nearer
@@ -38,6 +55,18 @@ PlaceView view_of(const LaserScan& scan, const Eigen::Vector2d& p_m, double radi
   if (counts.nearer + counts.there + counts.farther == 0) return PlaceView::kOutOfView;
   if (counts.farther > counts.nearer + counts.there) return PlaceView::kEmpty;
   return counts.nearer >= counts.there ? PlaceView::kHidden : PlaceView::kOccupied;
+}
+
+int num_echoes_near(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m) {
+  if (!can_be_seen(scan, p_m, radius_m)) return 0;
+  const BeamRange beams = beams_towards(scan, p_m, std::asin(std::min(1.0, radius_m / p_m.norm())));
+  int num_echoes = 0;
+  for (int beam = beams.first; beam <= beams.last; ++beam) {
+    if (!scan.has_echo(beam)) continue;
+    const double bearing_rad = scan.geometry.first_rad + beam * scan.geometry.step_rad;
+    if ((polar(bearing_rad, scan.range_m[beam]) - p_m).norm() <= radius_m) ++num_echoes;
+  }
+  return num_echoes;
 }
 
 }  // namespace scanbed

@@ -19,4 +19,7 @@ enum class PlaceView {
 /// radius around it, and says what most of them say: that they end before it, in it, or behind it.
 PlaceView view_of(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m);
 
+/// How many echoes lie within a radius of a place of the sensor frame; 0 where the sensor itself does.
+int num_echoes_near(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m);
+
 }  // namespace scanbed

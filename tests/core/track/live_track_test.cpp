@@ -98,6 +98,44 @@ TEST(LiveTrackTest, APlaceSeenThroughIsForgottenSoonAHiddenOneLater) {
   EXPECT_NEAR(hidden, 30, 2);  // max_hidden_s of 3 s
 }
 
+// Misses through which a track is still taken to be where it is expected.
+int misses_at_hand(LiveTrack track, const LaserScan& scan, double period_s = kPeriod_s) {
+  int misses = 0;
+  for (; misses < 1000; ++misses) {
+    track.predict({scan, {}, period_s}, 0.1);
+    track.count_miss({scan, {}, period_s}, 0.25, {});
+    if (!track.is_at_hand({})) break;
+  }
+  return misses;
+}
+
+TEST(LiveTrackTest, CoastsBehindOthersButNotWhereBeamsPass) {
+  const LaserScan scan = hall(0.0, true);
+  EXPECT_EQ(misses_at_hand(hit_twice({3.0, 0.0}, 0.0), scan), TrackOptions{}.num_coasted_scans);
+  EXPECT_EQ(misses_at_hand(hit_twice({3.0, 1.5}, 0.0), scan), 0);
+}
+
+TEST(LiveTrackTest, APersonIsNotGoneWhereBeamsPassBetweenTheLegs) {
+  testing::IdealScene scene;
+  scene.wall({6.0, -10.0}, {6.0, 10.0});
+  scene.cylinder({3.0, 0.3}, 0.06);
+  scene.cylinder({3.0, -0.3}, 0.06);
+  LiveTrack track = hit_twice({3.0, 0.0}, 0.0);
+  EXPECT_EQ(misses_at_hand(track, scene.scan()), 0);
+  track.kind = TrackKind::kPerson;
+  EXPECT_EQ(misses_at_hand(track, scene.scan()), 5);  // half a second
+}
+
+// The deviation of a place grows by 0.5 m/s times the time here: beyond 0.35 m after 0.7 s.
+TEST(LiveTrackTest, CoastsOnlyWhileItsPlaceIsKnown) {
+  const LaserScan scan = hall(0.0, true);
+  LiveTrack track = hit_twice({3.0, 0.0}, 0.0);
+  track.point = {.p_m = {3.0, 0.0}, .var_p_m2 = 1e-6, .var_v_m2_per_s2 = 0.25};
+  EXPECT_EQ(misses_at_hand(track, scan, 0.2), 2);
+  EXPECT_EQ(misses_at_hand(track, scan, 0.6), 1);
+  EXPECT_EQ(misses_at_hand(track, scan, 0.8), 0);
+}
+
 // A place of which something unknown is seen for most of the time, and now and then something nearer or
 // nothing: what stood there counts only against the time of what is seen.
 TEST(LiveTrackTest, EachViewOfAPlaceHasItsOwnPatience) {

@@ -36,6 +36,19 @@ TEST(ScanViewTest, ABlindScanSeesNothing) {
   EXPECT_EQ(view_of(LaserScan{.geometry = {.num_beams = 0}}, {3.0, 0.0}, 0.3), PlaceView::kOutOfView);
 }
 
+// Of 361 beams at half a degree, a cylinder of 0.05 m at 2 m meets those within asin(0.05 / 2) = 1.4 degrees.
+TEST(ScanViewTest, CountsEchoesNearAPlace) {
+  testing::IdealScene hall;
+  hall.wall({6.0, -10.0}, {6.0, 10.0});
+  hall.cylinder({2.0, 0.0}, 0.05);
+  const LaserScan scan = hall.scan();
+  EXPECT_EQ(num_echoes_near(scan, {2.0, 0.0}, 0.1), 5);
+  EXPECT_EQ(num_echoes_near(scan, {2.0, 0.3}, 0.4), 5);
+  EXPECT_EQ(num_echoes_near(scan, {2.0, 0.6}, 0.4), 0);
+  EXPECT_EQ(num_echoes_near(scan, {0.1, 0.0}, 0.4), 0);
+  EXPECT_EQ(num_echoes_near(LaserScan{.geometry = {.num_beams = 0}}, {2.0, 0.0}, 0.4), 0);
+}
+
 TEST(ScanViewTest, FollowsAClockwiseAndAFullTurn) {
   ScanGeometry clockwise;
   clockwise.first_rad = kPi / 2;
