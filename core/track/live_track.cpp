@@ -8,9 +8,13 @@ namespace scanbed {
 namespace {
 
 constexpr double kMaxLogOdds = 4.0;
-constexpr double kMissLogOdds = -1.5;       // of looking at an empty place
-constexpr double kMaxEmpty_s = 0.4;         // a place looked through so long has lost its track
-constexpr double kMaxOccupied_s = 1.0;      // likewise where something stands that is not recognised
+constexpr double kMissLogOdds = -1.5;   // of looking at an empty place
+constexpr double kMaxEmpty_s = 0.4;     // a place looked through so long has lost its track
+constexpr double kMaxOccupied_s = 1.0;  // likewise where something stands that is not recognised
+// Who has walked is somebody, also when standing. A single leg that stands may be furniture that a track has
+// slipped on to.
+constexpr double kTwoLegsMemory_s = 20.0;
+constexpr double kOneLegMemory_s = 4.0;
 constexpr double kMaxUnrecognised_s = 0.5;  // what stands where somebody stood is taken for them so long
 constexpr double kMaxDoubt_m = 0.35;        // standard deviation of a place beyond which it says nothing
 constexpr double kLegReach_m = 0.4;         // of a leg from the person's middle
@@ -37,6 +41,8 @@ double LiveTrack::gate_m(const TrackOptions& options) const {
 void LiveTrack::predict(const TrackedScan& now, double accel_psd_m2_per_s3) {
   point.predict(now.dt_s, accel_psd_m2_per_s3);
   unseen_s += now.dt_s;
+  motion_evidence *=
+      std::exp(-now.dt_s / (second_feature != kNoFeature ? kTwoLegsMemory_s : kOneLegMemory_s));
   feature = kNoFeature;
   second_feature = kNoFeature;
 }
@@ -49,6 +55,8 @@ void LiveTrack::count_hit(double feature_log_odds, const TrackedScan& now, const
   unseen_s = 0.0;
   hidden_s = occupied_s = empty_s = 0.0;
   history.add(now.scan.time_s, point.p_m, options.displacement_window_s);
+  const double displacement = history.net_displacement_m() / options.displacement_step_m;
+  motion_evidence = std::max(motion_evidence, std::min(displacement, options.max_displacement_evidence));
   if (history.net_displacement_m() >= options.mobile_distance_m) is_mobile = true;
 }
 
@@ -87,16 +95,15 @@ bool LiveTrack::is_settled() const {
   return !is_mobile && history.span_s() >= kMinSettled_s && history.net_displacement_m() <= kMaxSettled_m;
 }
 
-double LiveTrack::evidence(const TrackOptions& options) const {
-  const double displacement = history.net_displacement_m() / options.displacement_step_m;
-  return log_odds + std::min(displacement, options.max_displacement_evidence);
+double LiveTrack::evidence() const {
+  return log_odds + motion_evidence;
 }
 
-double LiveTrack::score(const TrackOptions& options) const {
-  return sigmoid(evidence(options));
+double LiveTrack::score() const {
+  return sigmoid(evidence());
 }
 
-Track seen_from(const Pose2& X_WS, const LiveTrack& track, const TrackOptions& options) {
+Track seen_from(const Pose2& X_WS, const LiveTrack& track) {
   const Pose2 X_SW = X_WS.inverse();
   Track seen;
   seen.id = track.id;
@@ -104,7 +111,7 @@ Track seen_from(const Pose2& X_WS, const LiveTrack& track, const TrackOptions& o
   seen.position_m = X_SW * track.point.p_m;
   seen.velocity_m_per_s = X_SW.rotate(track.point.v_m_per_s);
   seen.radius_m = track.radius_m;
-  seen.score = track.score(options);
+  seen.score = track.score();
   seen.is_mobile = track.is_mobile;
   seen.is_settled = track.is_settled();
   seen.feature = track.feature;

@@ -30,6 +30,7 @@ struct LiveTrack {
   double empty_s = 0.0;                   ///< the rest
   PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
   double log_odds = 0.0;                  ///< mean along the track
+  double motion_evidence = 0.0;           ///< log-odds that its having moved adds
   double radius_m = 0.0;                  ///< of a cylinder
   bool is_mobile = false;
   bool is_dead = false;
@@ -41,7 +42,7 @@ struct LiveTrack {
   /// Its own gate: how far from where it is expected a feature may be.
   double gate_m(const TrackOptions& options) const;
 
-  /// Moves on to the scan's time; nothing was seen so far.
+  /// Moves on to the scan's time, in which what was seen of its motion fades; nothing is seen so far.
   void predict(const TrackedScan& now, double accel_psd_m2_per_s3);
 
   /// Takes in what a hit says: log-odds of the feature, and where the track is by now.
@@ -59,9 +60,9 @@ struct LiveTrack {
   /// It has been watched for a while and stood still.
   bool is_settled() const;
 
-  /// From mean log-odds and net displacement.
-  double evidence(const TrackOptions& options) const;
-  double score(const TrackOptions& options) const;
+  /// From mean log-odds and motion.
+  double evidence() const;
+  double score() const;
 
  private:
   PlaceView view_of_place(const TrackedScan& now, double size_m) const;
@@ -71,6 +72,6 @@ struct LiveTrack {
 double log_odds_of(double score);
 
 /// How the track looks from outside, in the sensor frame.
-Track seen_from(const Pose2& X_WS, const LiveTrack& track, const TrackOptions& options);
+Track seen_from(const Pose2& X_WS, const LiveTrack& track);
 
 }  // namespace scanbed

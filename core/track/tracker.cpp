@@ -87,9 +87,9 @@ void Tracker::hide_stand_ins(int num_legs) {
 void Tracker::report(std::vector<LiveTrack>& tracks) {
   for (LiveTrack& track : tracks) {
     if (!track.is_confirmed(options_) || !track.is_at_hand(options_)) continue;
-    if (track.kind != TrackKind::kCylinder && track.score(options_) < options_.min_score) continue;
+    if (track.kind != TrackKind::kCylinder && track.score() < options_.min_score) continue;
     if (track.id == 0) track.id = ++last_id_;
-    reported_.push_back(seen_from(X_WS_, track, options_));
+    reported_.push_back(seen_from(X_WS_, track));
   }
 }
 

@@ -61,8 +61,8 @@ TEST(LiveTrackTest, EvidenceIsAnExponentialMean) {
     track.count_hit(log_odds, {scan, {}, kPeriod_s}, options);
     expected = 0.8 * expected + 0.2 * log_odds;
   }
-  EXPECT_NEAR(track.evidence(options), expected, 1e-12);
-  EXPECT_NEAR(track.score(options), 1.0 / (1.0 + std::exp(-expected)), 1e-12);
+  EXPECT_NEAR(track.evidence(), expected, 1e-12);
+  EXPECT_NEAR(track.score(), 1.0 / (1.0 + std::exp(-expected)), 1e-12);
 }
 
 TEST(LiveTrackTest, WalkingAddsToTheEvidenceUpToItsBound) {
@@ -74,7 +74,28 @@ TEST(LiveTrackTest, WalkingAddsToTheEvidenceUpToItsBound) {
     track.count_hit(0.0, {scan, {}, kPeriod_s}, options);
   }
   EXPECT_TRUE(track.is_mobile);
-  EXPECT_NEAR(track.evidence(options), options.max_displacement_evidence, 1e-12);
+  EXPECT_NEAR(track.evidence(), options.max_displacement_evidence, 1e-12);
+}
+
+// After a walk that is worth 3, 5 s of standing: exp(-5 / 20) of it is left with two legs in view, exp(-5 /
+// 4) with one.
+TEST(LiveTrackTest, WhoHasWalkedIsSomebodyForAWhile) {
+  const TrackOptions options;
+  for (const bool two_legs : {true, false}) {
+    LiveTrack track;
+    for (int i = 0; i <= 90; ++i) {
+      const LaserScan scan = hall(kPeriod_s * i, false);
+      track.predict({scan, {}, kPeriod_s}, 0.1);
+      track.second_feature = two_legs ? 1 : kNoFeature;
+      track.point.p_m = {0.1 * std::min(i, 40), 0.0};
+      track.count_hit(0.0, {scan, {}, kPeriod_s}, options);
+    }
+    // The last 2 s of the walk still show as displacement in the window: 1 m, worth 3 or more, until 0.7 s
+    // in.
+    const double at_least = 3.0 * std::exp(-5.0 / (two_legs ? 20.0 : 4.0));
+    EXPECT_GE(track.evidence(), at_least);
+    EXPECT_LE(track.evidence(), at_least * std::exp(2.0 / (two_legs ? 20.0 : 4.0)));
+  }
 }
 
 TEST(LiveTrackTest, TheGateGrowsWhileNothingIsSeen) {
@@ -183,7 +204,7 @@ TEST(LiveTrackTest, IsSettledOnlyAfterAWhileOfStanding) {
 TEST(LiveTrackTest, IsSeenFromTheSensor) {
   LiveTrack track = hit_twice({2.0, 3.0}, 0.0);
   track.point.v_m_per_s = {1.0, 0.0};
-  const Track seen = seen_from({{2.0, 1.0}, kPi / 2}, track, {});
+  const Track seen = seen_from({{2.0, 1.0}, kPi / 2}, track);
   EXPECT_NEAR((seen.position_m - Eigen::Vector2d(2.0, 0.0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((seen.velocity_m_per_s - Eigen::Vector2d(0.0, -1.0)).norm(), 0.0, 1e-12);
 }
