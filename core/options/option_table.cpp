@@ -202,6 +202,8 @@ const std::array kTable = {
                                             "a track is reported through so many scans without a hit"),
     track<&TrackOptions::max_hidden_s>("track.max_hidden_s",
                                        "behind something nearer a track is remembered so long"),
+    track<&TrackOptions::max_lost_s>("track.max_lost_s",
+                                     "a person who walked and was lost is known again for so long"),
     track<&TrackOptions::evidence_keep_ratio>("track.evidence_keep_ratio",
                                               "share of the mean log-odds that is kept from hit to hit"),
     track<&TrackOptions::displacement_window_s>("track.displacement_window_s",

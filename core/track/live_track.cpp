@@ -40,6 +40,7 @@ double LiveTrack::gate_m(const TrackOptions& options) const {
 
 void LiveTrack::predict(const TrackedScan& now, double accel_psd_m2_per_s3) {
   point.predict(now.dt_s, accel_psd_m2_per_s3);
+  age_s += now.dt_s;
   unseen_s += now.dt_s;
   motion_evidence *=
       std::exp(-now.dt_s / (second_feature != kNoFeature ? kTwoLegsMemory_s : kOneLegMemory_s));

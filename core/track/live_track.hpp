@@ -23,6 +23,7 @@ struct LiveTrack {
   MovingPoint point;
   PlaceHistory history;
   int num_hits = 0;
+  double age_s = 0.0;                     ///< since the first hit
   int num_missed = 0;                     ///< scans in a row
   double unseen_s = 0.0;                  ///< since the last hit
   double hidden_s = 0.0;                  ///< of these: while something nearer hid it

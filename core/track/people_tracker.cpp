@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace scanbed {
@@ -18,6 +19,8 @@ constexpr double kStride_m = 0.25;           // of a leg from the person's middl
 constexpr double kMaxStride_m = 0.9;         // between a person's legs
 constexpr double kAbsorbLeg_m = 0.45;        // of a single leg from a person that lacks one
 constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
+constexpr double kOwnLeg_m = 0.75;           // a leg so near to a person with one leg is nobody else's ...
+constexpr double kOwnThirdLeg_m = 0.5;       // ... nor is one so near to a person with two
 constexpr double kWalkDistance_m = 0.7;      // what moves so far within the window walks
 constexpr double kPersonRadius_m = 0.25;
 constexpr double kLegRadius_m = 0.10;
@@ -51,11 +54,13 @@ void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
   for (LiveTrack& track : tracks_) {
     track.predict(now, is_person(track) ? kPersonAccel_m2_per_s3 : kLegAccel_m2_per_s3);
   }
+  lost_.predict(now, kPersonAccel_m2_per_s3, options);
   assign(legs, options);
   for (LiveTrack& track : tracks_) correct(track, now, legs, options);
   begin_tracks(now, legs, options);
   absorb_single_legs();
   join_pairs(options);
+  recall_missing(options);
   bury_dead();
 }
 
@@ -174,7 +179,51 @@ void PeopleTracker::join_pairs(const TrackOptions& options) {
   }
 }
 
+// A person of no name yet, or a leg that is one more likely than not and is nobody's in sight.
+bool PeopleTracker::may_be_known(const LiveTrack& track) const {
+  if (track.is_dead || track.feature == kNoFeature) return false;
+  if (is_person(track)) return track.id == 0;
+  return track.log_odds > 0.0 && std::none_of(tracks_.begin(), tracks_.end(), [&](const LiveTrack& other) {
+           if (!is_person(other) || other.is_dead || other.feature == kNoFeature) return false;
+           const double own_m = lacks_a_leg(other) ? kOwnLeg_m : kOwnThirdLeg_m;
+           return (other.point.p_m - track.point.p_m).norm() < own_m;
+         });
+}
+
+LiveTrack* PeopleTracker::missing_for(const LiveTrack& newcomer) {
+  LiveTrack* likeliest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](LiveTrack& missing) {
+    if (missing.is_dead) return;
+    const double surprise = surprise_of(newcomer, missing);
+    if (surprise >= least) return;
+    least = surprise;
+    likeliest = &missing;
+  };
+  for (LiveTrack& lost : lost_.people()) consider(lost);
+  for (LiveTrack& track : tracks_) {
+    const bool is_known = is_person(track) && track.id != 0 && track.is_mobile;
+    if (is_known && track.feature == kNoFeature) consider(track);
+  }
+  return likeliest;
+}
+
+void PeopleTracker::recall_missing(const TrackOptions& options) {
+  for (LiveTrack& newcomer : tracks_) {
+    if (!may_be_known(newcomer)) continue;
+    LiveTrack* const missing = missing_for(newcomer);
+    if (missing == nullptr) continue;
+    take_over(newcomer, *missing, options);
+    missing->id = 0;
+    missing->is_dead = true;
+  }
+  lost_.bury_dead();
+}
+
 void PeopleTracker::bury_dead() {
+  for (const LiveTrack& track : tracks_) {
+    if (track.is_dead) lost_.remember(track);
+  }
   std::erase_if(tracks_, [](const LiveTrack& track) { return track.is_dead; });
 }
 

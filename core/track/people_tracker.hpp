@@ -6,12 +6,13 @@
 #include "core/detect/features.hpp"
 #include "core/track/assignment.hpp"
 #include "core/track/live_track.hpp"
+#include "core/track/lost_people.hpp"
 
 namespace scanbed {
 
 /// Follows legs and people. A person has room for two legs, a leg track for one; all legs of a scan are
 /// assigned to these places at once. Two leg tracks that keep close become a person, and so does a single one
-/// that walks.
+/// that walks. Who walked and was lost keeps the id when coming back.
 class PeopleTracker {
  public:
   void update(const TrackedScan& now, const std::vector<Leg>& legs, const TrackOptions& options);
@@ -35,9 +36,13 @@ class PeopleTracker {
   void find_pairs(double max_distance_m);
   void join_pairs(const TrackOptions& options);
   void absorb_single_legs();
+  bool may_be_known(const LiveTrack& track) const;
+  LiveTrack* missing_for(const LiveTrack& newcomer);
+  void recall_missing(const TrackOptions& options);
   void bury_dead();
 
   std::vector<LiveTrack> tracks_;
+  LostPeople lost_;
   std::vector<Eigen::Vector2d> p_WL_m_;  ///< this scan's legs in the world
   std::vector<char> leg_taken_;
   std::vector<Slot> slots_;

@@ -18,6 +18,7 @@ void validate_gates(const TrackOptions& o) {
           o.num_coasted_scans, "[0, 1000]");
   require(o.max_hidden_s >= 0.0 && o.max_hidden_s <= 1000.0, "track.max_hidden_s", o.max_hidden_s,
           "[0, 1000]");
+  require(o.max_lost_s >= 0.0 && o.max_lost_s <= 1000.0, "track.max_lost_s", o.max_lost_s, "[0, 1000]");
 }
 
 void validate_evidence(const TrackOptions& o) {

@@ -14,6 +14,7 @@ struct TrackOptions {
   int num_confirming_hits = 2;       ///< a track is reported from this hit on
   int num_coasted_scans = 2;         ///< it is reported through so many scans without a hit
   double max_hidden_s = 3.0;         ///< behind something nearer, it is remembered so long
+  double max_lost_s = 10.0;          ///< a person who walked and was lost is known again for so long
   double evidence_keep_ratio = 0.8;  ///< share of the mean log-odds that is kept from hit to hit
   double displacement_window_s = 2.0;      ///< net displacement over this time speaks for a person
   double displacement_step_m = 0.35;       ///< so much of it adds 1 to the log-odds

@@ -25,6 +25,7 @@ TEST(TrackOptionsTest, EachBadFieldIsNamed) {
       {"track.num_confirming_hits", [](TrackOptions& o) { o.num_confirming_hits = 0; }},
       {"track.num_coasted_scans", [](TrackOptions& o) { o.num_coasted_scans = -1; }},
       {"track.max_hidden_s", [nan](TrackOptions& o) { o.max_hidden_s = nan; }},
+      {"track.max_lost_s", [](TrackOptions& o) { o.max_lost_s = -1.0; }},
       {"track.evidence_keep_ratio", [](TrackOptions& o) { o.evidence_keep_ratio = 1.0; }},
       {"track.displacement_window_s", [](TrackOptions& o) { o.displacement_window_s = 0.0; }},
       {"track.displacement_step_m", [](TrackOptions& o) { o.displacement_step_m = 0.0; }},

@@ -59,6 +59,66 @@ TEST(TrackerTest, KeepsIdsAndGivesVelocitiesOverGroundWhileTheSensorDrives) {
   }
 }
 
+Features two_legs_at(const Eigen::Vector2d& p_m) {
+  Features features;
+  features.legs = {leg_at(p_m + Eigen::Vector2d(0.0, 0.1)), leg_at(p_m - Eigen::Vector2d(0.0, 0.1))};
+  return features;
+}
+
+// Somebody walks for 2 s at 1 m/s, is gone for 2 s, and somebody stands 1.5 m aside from where the way led.
+TEST(TrackerTest, WhoComesBackIsTheSamePerson) {
+  Tracker tracker;
+  double time_s = 0.0;
+  for (; time_s < 2.0; time_s += 0.1)
+    tracker.update(open_scan(time_s), two_legs_at({1.0 + time_s, 0.0}), Pose2{});
+  for (; time_s < 4.0; time_s += 0.1) tracker.update(open_scan(time_s), Features{}, Pose2{});
+  EXPECT_TRUE(tracker.tracks().empty());
+  const std::vector<Track>& tracks = tracker.update(open_scan(time_s), two_legs_at({4.0, 1.5}), Pose2{});
+  ASSERT_EQ(tracks.size(), 1u);  // at once: it is nobody new
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_EQ(tracks[0].kind, TrackKind::kPerson);
+}
+
+TEST(TrackerTest, OneLegIsEnoughToKnowWhoWalkedThere) {
+  Tracker tracker;
+  double time_s = 0.0;
+  for (; time_s < 2.0; time_s += 0.1)
+    tracker.update(open_scan(time_s), two_legs_at({1.0 + time_s, 0.0}), Pose2{});
+  for (; time_s < 4.0; time_s += 0.1) tracker.update(open_scan(time_s), Features{}, Pose2{});
+  Features one_leg;
+  one_leg.legs = {leg_at({4.0, 1.5})};
+  const std::vector<Track>& tracks = tracker.update(open_scan(time_s), one_leg, Pose2{});
+  ASSERT_EQ(tracks.size(), 1u);
+  EXPECT_EQ(tracks[0].id, 1);
+}
+
+TEST(TrackerTest, WhoIsTooFarOffOrComesTooLateIsSomebodyElse) {
+  // In 1 s nobody gets 6 m away; after 12 s nobody is remembered.
+  for (const auto& [gone_s, back_m] : {std::pair{1.0, Eigen::Vector2d(3.0, -6.0)}, {12.0, {3.0, 0.5}}}) {
+    Tracker tracker;
+    double time_s = 0.0;
+    for (; time_s < 2.0; time_s += 0.1)
+      tracker.update(open_scan(time_s), two_legs_at({1.0 + time_s, 0.0}), Pose2{});
+    for (; time_s < 2.0 + gone_s; time_s += 0.1) tracker.update(open_scan(time_s), Features{}, Pose2{});
+    for (int i = 0; i < 3; ++i, time_s += 0.1)
+      tracker.update(open_scan(time_s), two_legs_at(back_m), Pose2{});
+    ASSERT_EQ(tracker.tracks().size(), 1u);
+    EXPECT_EQ(tracker.tracks()[0].id, 2) << gone_s;
+  }
+}
+
+// Furniture that looks like two legs is not known again elsewhere.
+TEST(TrackerTest, WhatNeverWalkedHasNoWayBack) {
+  Tracker tracker;
+  double time_s = 0.0;
+  for (; time_s < 2.0; time_s += 0.1) tracker.update(open_scan(time_s), two_legs_at({3.0, 0.0}), Pose2{});
+  EXPECT_EQ(tracker.tracks().size(), 1u);
+  for (; time_s < 3.0; time_s += 0.1) tracker.update(open_scan(time_s), Features{}, Pose2{});
+  for (; time_s < 4.0; time_s += 0.1) tracker.update(open_scan(time_s), two_legs_at({3.0, 1.0}), Pose2{});
+  ASSERT_EQ(tracker.tracks().size(), 1u);
+  EXPECT_EQ(tracker.tracks()[0].id, 2);
+}
+
 TEST(TrackerTest, TurningTheWorldTurnsTheTracks) {
   const Pose2 X_VW{{2.0, -1.0}, 1.1};  // the same events, in another frame of the sensor
   Tracker plain;
