@@ -198,6 +198,8 @@ const std::array kTable = {
         "track.max_gate_m", "the gate grows no further, but for cylinders that move while they are hidden"),
     track<&TrackOptions::num_confirming_hits>("track.num_confirming_hits",
                                               "a track is reported from this hit on"),
+    track<&TrackOptions::sure_score>("track.sure_score",
+                                     "two legs at once with this score are reported from the first hit on"),
     track<&TrackOptions::num_coasted_scans>("track.num_coasted_scans",
                                             "a track is reported through so many scans without a hit"),
     track<&TrackOptions::max_hidden_s>("track.max_hidden_s",

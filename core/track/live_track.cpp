@@ -34,6 +34,11 @@ double log_odds_of(double score) {
   return std::clamp(std::log(score / (1.0 - score)), -kMaxLogOdds, kMaxLogOdds);
 }
 
+bool LiveTrack::is_confirmed(const TrackOptions& options) const {
+  const bool is_sure = second_feature != kNoFeature && log_odds >= log_odds_of(options.sure_score);
+  return num_hits >= options.num_confirming_hits || is_sure;
+}
+
 double LiveTrack::gate_m(const TrackOptions& options) const {
   return std::min(options.max_gate_m, options.gate_m + options.gate_speed_m_per_s * unseen_s);
 }

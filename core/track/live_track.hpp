@@ -38,7 +38,8 @@ struct LiveTrack {
   int feature = kNoFeature;
   int second_feature = kNoFeature;
 
-  bool is_confirmed(const TrackOptions& options) const { return num_hits >= options.num_confirming_hits; }
+  /// Seen often enough, or as two legs that leave no doubt.
+  bool is_confirmed(const TrackOptions& options) const;
 
   /// Its own gate: how far from where it is expected a feature may be.
   double gate_m(const TrackOptions& options) const;

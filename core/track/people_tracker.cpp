@@ -15,6 +15,7 @@ constexpr double kBothLegsSigma_m = 0.07;    // of their middle, about the perso
 constexpr double kOneLegSigma_m = 0.18;      // of one leg, about the person's middle
 constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
 constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
+constexpr double kMaxSurprise = 9.0;         // of a leg that is still a track's: 3 standard deviations
 constexpr double kStride_m = 0.25;           // of a leg from the person's middle: widens the gate
 constexpr double kMaxStride_m = 0.9;         // between a person's legs
 constexpr double kAbsorbLeg_m = 0.45;        // of a single leg from a person that lacks one
@@ -45,6 +46,14 @@ bool belongs_to(const LiveTrack& other, const LiveTrack& person) {
   return (other.point.p_m - person.point.p_m).norm() <= reach_m;
 }
 
+// How surprising a leg is for a track: -2 times the log-likelihood of its place, but for a constant that
+// makes it 0 where a person who is exactly known has a leg. What is known less takes fewer legs from others.
+double surprise_of_leg(double distance_m2, const LiveTrack& track) {
+  const double sigma_m = is_person(track) ? kOneLegSigma_m : kLegSigma_m;
+  const double var_m2 = track.point.var_p_m2 + sigma_m * sigma_m;
+  return distance_m2 / var_m2 + 2.0 * std::log(var_m2 / (kOneLegSigma_m * kOneLegSigma_m));
+}
+
 }  // namespace
 
 void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
@@ -71,14 +80,14 @@ void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& opt
     if (is_person(tracks_[i])) slots_.push_back({i});
   }
   const int num_legs = static_cast<int>(legs.size());
-  assignment_.reset(num_legs, static_cast<int>(slots_.size()), 1.0);
+  assignment_.reset(num_legs, static_cast<int>(slots_.size()), kMaxSurprise);
   for (int column = 0; column < static_cast<int>(slots_.size()); ++column) {
     const LiveTrack& track = tracks_[slots_[column].track];
     const double stride_m = is_person(track) ? kStride_m : 0.0;
     const double gate_m = std::min(options.max_gate_m, track.gate_m(options) + stride_m);
     for (int row = 0; row < num_legs; ++row) {
       const double distance_m2 = (p_WL_m_[row] - track.point.p_m).squaredNorm();
-      assignment_.allow(row, column, distance_m2 / (gate_m * gate_m));
+      if (distance_m2 < gate_m * gate_m) assignment_.allow(row, column, surprise_of_leg(distance_m2, track));
     }
   }
   leg_taken_.assign(num_legs, 0);

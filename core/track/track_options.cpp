@@ -34,6 +34,7 @@ void validate_evidence(const TrackOptions& o) {
           o.max_leg_distance_m, "(0, 2]");
   require(o.thin_circle_score >= 0.0 && o.thin_circle_score <= 1.0, "track.thin_circle_score",
           o.thin_circle_score, "[0, 1]");
+  require(o.sure_score >= 0.0 && o.sure_score <= 1.0, "track.sure_score", o.sure_score, "[0, 1]");
   require(o.min_score >= 0.0 && o.min_score <= 1.0, "track.min_score", o.min_score, "[0, 1]");
 }
 

@@ -12,6 +12,7 @@ struct TrackOptions {
   double gate_speed_m_per_s = 1.8;   ///< ... widened by this, times the time since it was last seen ...
   double max_gate_m = 0.6;           ///< ... up to this; for a hidden cylinder that moves, and its way since
   int num_confirming_hits = 2;       ///< a track is reported from this hit on
+  double sure_score = 0.95;          ///< ... but two legs at once with a score of this, from the first on
   int num_coasted_scans = 2;         ///< it is reported through so many scans without a hit
   double max_hidden_s = 3.0;         ///< behind something nearer, it is remembered so long
   double max_lost_s = 10.0;          ///< a person who walked and was lost is known again for so long

@@ -103,6 +103,20 @@ TEST(PeopleTrackerTest, TwoWhoMeetHeadOnKeepTheirTracks) {
   EXPECT_NEAR(stage.tracks()[0].point.p_m.y(), first_goes_right ? 2.4 : 3.1, 0.1);
 }
 
+// Two stand a metre apart; one of them is out of sight for 0.4 s, of the other one leg is. A leg that shows
+// 0.47 m from the one in sight is rather of the other, 0.53 m off: that one may have moved.
+TEST(PeopleTrackerTest, ALegIsRatherOfWhosePlaceIsLessKnown) {
+  Stage stage;
+  for (int i = 0; i < 20; ++i)
+    stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1}), leg_at({2.0, 1.1}), leg_at({2.0, 0.9})});
+  for (int i = 0; i < 3; ++i) stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1})});
+  stage.show({leg_at({2.0, -0.1}), leg_at({2.0, 0.47})});
+  ASSERT_EQ(stage.tracks().size(), 2u);
+  EXPECT_EQ(stage.tracks()[0].feature, 0);
+  EXPECT_EQ(stage.tracks()[0].second_feature, kNoFeature);
+  EXPECT_EQ(stage.tracks()[1].feature, 1);
+}
+
 TEST(PeopleTrackerTest, APersonLivesOnOneLeg) {
   Stage stage;
   for (int i = 0; i < 30; ++i) {

@@ -23,6 +23,7 @@ TEST(TrackOptionsTest, EachBadFieldIsNamed) {
       {"track.gate_speed_m_per_s", [](TrackOptions& o) { o.gate_speed_m_per_s = -1.0; }},
       {"track.max_gate_m", [](TrackOptions& o) { o.max_gate_m = 0.1; }},
       {"track.num_confirming_hits", [](TrackOptions& o) { o.num_confirming_hits = 0; }},
+      {"track.sure_score", [](TrackOptions& o) { o.sure_score = 1.1; }},
       {"track.num_coasted_scans", [](TrackOptions& o) { o.num_coasted_scans = -1; }},
       {"track.max_hidden_s", [nan](TrackOptions& o) { o.max_hidden_s = nan; }},
       {"track.max_lost_s", [](TrackOptions& o) { o.max_lost_s = -1.0; }},

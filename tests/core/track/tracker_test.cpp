@@ -40,6 +40,18 @@ TEST(TrackerTest, ReportsFromTheSecondHitOn) {
   EXPECT_EQ(tracks[1].radius_m, 0.25);
 }
 
+TEST(TrackerTest, ReportsTwoLegsThatLeaveNoDoubtAtOnce) {
+  for (const double score : {0.94, 0.96}) {
+    Features features;
+    features.legs = {leg_at({2.0, 0.1}, score), leg_at({2.0, -0.1}, score)};
+    Tracker tracker;
+    EXPECT_EQ(tracker.update(open_scan(0.0), features, Pose2{}).size(), score > 0.95 ? 1u : 0u);
+    features.legs.pop_back();
+    Tracker of_one_leg;
+    EXPECT_TRUE(of_one_leg.update(open_scan(0.0), features, Pose2{}).empty());
+  }
+}
+
 TEST(TrackerTest, KeepsIdsAndGivesVelocitiesOverGroundWhileTheSensorDrives) {
   Tracker tracker;
   for (int i = 0; i <= 30; ++i) {
