@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include "bench/results/held_out_legs.hpp"
 #include "bench/results/recorded_results.hpp"
+#include "bench/results/score_bins.hpp"
 #include "bench/results/simulated_results.hpp"
 #include "bench/results/tracked_results.hpp"
 
@@ -103,6 +105,36 @@ std::string recalls(const LegRate& rate) {
   return text;
 }
 
+std::string right_of(const Share& share) {
+  if (share.whole == 0) return "none";
+  const Estimate right = wilson_interval(share);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f (%.2f to %.2f) of %d", right.value, right.low, right.high,
+                share.whole);
+  return text;
+}
+
+// Scores are probabilities where the shares are about the scores.
+void print_score_bins(const ScoreBins& recorded, const ScoreBins& simulated) {
+  std::printf(
+      "\n| `robust`: score of a leg | share that are legs (95 %% interval): recordings, by forests that had "
+      "not "
+      "seen them | simulated worlds |\n|---|---|---|\n");
+  for (int bin = 0; bin < kNumScoreBins; ++bin) {
+    if (recorded[bin].whole + simulated[bin].whole == 0) continue;
+    std::printf("| %.1f to %.1f | %s | %s |\n", 0.1 * bin, 0.1 * (bin + 1), right_of(recorded[bin]).c_str(),
+                right_of(simulated[bin]).c_str());
+  }
+}
+
+// Legs of the robust preset in worlds of all sets.
+ScoreBins simulated_scores() {
+  ScoreBins bins;
+  for (const WorldSet worlds : kWorldSets)
+    bins += simulated_results({.worlds = worlds}, robust_options()).leg_scores;
+  return bins;
+}
+
 void print_held_out_legs(const std::filesystem::path& data) {
   const std::vector<double> track_scores = {0.5, 0.6, 0.7, 0.8, 0.9};
   const std::vector<HeldOutLegs> results = held_out_legs(data, track_scores);
@@ -121,6 +153,12 @@ void print_held_out_legs(const std::filesystem::path& data) {
     row("tracks of score " + decimals(track_scores[i], ""),
         [i](const HeldOutLegs& r) { return r.tracked[i]; });
   }
+  ScoreBins recorded = results[0].scores;
+  print_score_bins(recorded += results[1].scores, simulated_scores());
+}
+
+bool has_truths(const std::vector<Share>& recall) {
+  return std::any_of(recall.begin(), recall.end(), [](const Share& run) { return run.whole > 0; });
 }
 
 void print_simulated(const SimulatedSet& set) {
@@ -139,6 +177,10 @@ void print_simulated(const SimulatedSet& set) {
       [](const auto& r) { return decimals(1000.0 * median_of(r.center_errors_m), " mm"); });
   row("lines: precision", [](const auto& r) { return with_interval(r.line.precision); });
   row("lines: recall", [](const auto& r) { return with_interval(r.line.recall); });
+  if (has_truths(results.front().leg.recall)) {
+    row("legs: precision", [](const auto& r) { return with_interval(r.leg.precision); });
+    row("legs: recall", [](const auto& r) { return with_interval(r.leg.recall); });
+  }
   row("false circles a scan",
       [](const auto& r) { return decimals(static_cast<double>(r.num_false_circles) / r.num_scans, ""); });
   row("false legs a scan",

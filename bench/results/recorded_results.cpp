@@ -2,10 +2,12 @@
 #include "bench/results/recorded_results.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "bench/results/recorded_scans.hpp"
 #include "core/detect/feature_detector.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace scanbed::bench {
 namespace {
@@ -52,6 +54,13 @@ const Places& places_of(const Labels& labels, int scan) {
   return it == labels.end() ? kNone : it->second;
 }
 
+// So far within the labelled sector that a label within the gate would be in it too.
+bool would_be_labelled(const Eigen::Vector2d& p_m) {
+  const double distance_m = p_m.norm();
+  if (distance_m <= kLegGate_m || distance_m > kLegRange_m - kLegGate_m) return false;
+  return std::abs(std::atan2(p_m.y(), p_m.x())) + std::asin(kLegGate_m / distance_m) <= radians(15.0);
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
@@ -88,6 +97,18 @@ CircleResult circles_in_recording(const std::filesystem::path& log, const Labels
   result.num_found = static_cast<int>(errors_m.size());
   result.median_error_m = median(errors_m);
   return result;
+}
+
+ScoreBins binned_legs(const std::filesystem::path& log, const Labels& labels, const LegForest& forest) {
+  FeatureDetector detector(robust_options(), forest);
+  ScoreBins bins;
+  for_each_scan(log, [&](const LaserScan& scan) {
+    const Places& legs = places_of(labels, static_cast<int>(scan.index));
+    for (const Leg& leg : detector.detect(scan).legs) {
+      if (would_be_labelled(leg.middle_m)) bins.add(leg.score, is_near_any(leg.middle_m, legs, kLegGate_m));
+    }
+  });
+  return bins;
 }
 
 std::vector<ScoredLeg> scored_legs(const std::filesystem::path& log, const DetectorOptions& options,

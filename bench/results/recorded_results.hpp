@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/results/labels.hpp"
+#include "bench/results/score_bins.hpp"
 #include "core/detect/detector_options.hpp"
 #include "core/detect/leg/leg_forest.hpp"
 
@@ -40,6 +41,10 @@ struct ScoredLeg {
   int scan = 0;
   double score = 0.0;
 };
+
+/// Legs of the robust preset by score, where all that are some are labelled: well within 15 degrees of
+/// straight ahead, and 5 m. Right are those within 0.15 m of a label.
+ScoreBins binned_legs(const std::filesystem::path& log, const Labels& labels, const LegForest& forest);
 
 /// Scores of all legs within 5 m.
 std::vector<ScoredLeg> scored_legs(const std::filesystem::path& log, const DetectorOptions& options,

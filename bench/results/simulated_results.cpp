@@ -71,12 +71,20 @@ void add_center_errors(const Features& features, const Truth& truth, std::vector
   }
 }
 
+// Each leg by itself; those that are neither right nor wrong are left out.
+void add_scores(const std::vector<Leg>& legs, const Truth& truth, ScoreBins& bins) {
+  for (const Leg& leg : legs) {
+    const Tally tally = match_legs({leg}, truth, MatchOptions{}).tally;
+    if (tally.num_detections > 0) bins.add(leg.score, tally.num_right > 0);
+  }
+}
+
 class Counter {
  public:
   Counter(const SimulatedSet& set, SimulatedResult& result) : set_(set), result_(result) {}
 
   void begin_run() {
-    for (KindRuns* runs : {&result_.circle, &result_.line}) {
+    for (KindRuns* runs : {&result_.circle, &result_.line, &result_.leg}) {
       runs->precision.emplace_back();
       runs->recall.emplace_back();
     }
@@ -90,6 +98,8 @@ class Counter {
     const Tally leg = match_legs(features.legs, truth, options).tally;
     add(circle, result_.circle.precision.back(), result_.circle.recall.back());
     add(line, result_.line.precision.back(), result_.line.recall.back());
+    add(leg, result_.leg.precision.back(), result_.leg.recall.back());
+    add_scores(features.legs, truth, result_.leg_scores);
     result_.num_false_circles += circle.num_detections - circle.num_right;
     result_.num_false_legs += leg.num_detections - leg.num_right;
     add_center_errors(features, truth, result_.center_errors_m);

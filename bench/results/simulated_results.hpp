@@ -5,6 +5,7 @@
 
 #include "bench/results/bootstrap.hpp"
 #include "bench/results/result_worlds.hpp"
+#include "bench/results/score_bins.hpp"
 #include "core/detect/detector_options.hpp"
 
 namespace scanbed::bench {
@@ -28,6 +29,8 @@ struct SimulatedResult {
   int num_scans = 0;
   KindRuns circle;
   KindRuns line;
+  KindRuns leg;
+  ScoreBins leg_scores;
   int num_false_circles = 0;
   int num_false_legs = 0;
   std::vector<double> center_errors_m;  ///< of the circles that are right
