@@ -195,7 +195,8 @@ const std::array kTable = {
     track<&TrackOptions::gate_speed_m_per_s>("track.gate_speed_m_per_s",
                                              "widens that gate by this times the time since the last hit"),
     track<&TrackOptions::max_gate_m>(
-        "track.max_gate_m", "the gate grows no further, but for cylinders that move while they are hidden"),
+        "track.max_gate_m",
+        "the gate grows no further, but for a person's stride and the way of hidden cylinders"),
     track<&TrackOptions::num_confirming_hits>("track.num_confirming_hits",
                                               "a track is reported from this hit on"),
     track<&TrackOptions::sure_score>("track.sure_score",

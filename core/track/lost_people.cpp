@@ -34,6 +34,10 @@ void take_over(LiveTrack& newcomer, const LiveTrack& missing, const TrackOptions
   newcomer.is_mobile = true;
 }
 
+void lose_way(MovingPoint& point, double dt_s) {
+  point.v_m_per_s *= std::exp(-dt_s / kTurn_s);
+}
+
 void LostPeople::remember(const LiveTrack& track) {
   if (track.kind != TrackKind::kPerson || track.id == 0 || !track.is_mobile) return;
   people_.push_back(track);
@@ -43,7 +47,7 @@ void LostPeople::remember(const LiveTrack& track) {
 void LostPeople::predict(const TrackedScan& now, double accel_psd_m2_per_s3, const TrackOptions& options) {
   for (LiveTrack& lost : people_) {
     lost.point.predict(now.dt_s, accel_psd_m2_per_s3);
-    lost.point.v_m_per_s *= std::exp(-now.dt_s / kTurn_s);
+    lose_way(lost.point, now.dt_s);
     lost.unseen_s += now.dt_s;
     if (lost.unseen_s > options.max_lost_s) lost.is_dead = true;
   }

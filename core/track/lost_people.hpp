@@ -15,8 +15,11 @@ double surprise_of(const LiveTrack& newcomer, const LiveTrack& missing);
 /// Makes a newcomer somebody who was missing, with id and evidence, as if nobody had ever been lost.
 void take_over(LiveTrack& newcomer, const LiveTrack& missing, const TrackOptions& options);
 
-/// People who walked, were reported and are lost, until they come back or are forgotten. Whoever went out of
-/// sight may have turned there: they are expected ever less far ahead, and ever less exactly.
+/// Takes from a velocity what dt out of sight leaves no longer certain: who went there may have turned.
+void lose_way(MovingPoint& point, double dt_s);
+
+/// People who walked, were reported and are lost, until they come back or are forgotten. They are expected
+/// ever less far ahead, and ever less exactly.
 class LostPeople {
  public:
   /// Remembers a track as it is, where it is of a person that walked and was reported.

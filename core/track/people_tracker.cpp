@@ -15,10 +15,10 @@ constexpr double kBothLegsSigma_m = 0.07;    // of their middle, about the perso
 constexpr double kOneLegSigma_m = 0.18;      // of one leg, about the person's middle
 constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
 constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
-constexpr double kMaxSurprise = 9.0;         // of a leg that is still a track's: 3 standard deviations
-constexpr double kStride_m = 0.25;           // of a leg from the person's middle: widens the gate
+constexpr double kMaxSurprise = 12.0;        // of a leg that is still a track's: 3.5 standard deviations
+constexpr double kStride_m = 0.35;           // of a leg from the person's middle: widens the gate
 constexpr double kMaxStride_m = 0.9;         // between a person's legs
-constexpr double kAbsorbLeg_m = 0.45;        // of a single leg from a person that lacks one
+constexpr double kAbsorbLeg_m = 0.55;        // of a single leg from a person that lacks one
 constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
 constexpr double kOwnLeg_m = 0.75;           // a leg so near to a person with one leg is nobody else's ...
 constexpr double kOwnThirdLeg_m = 0.5;       // ... nor is one so near to a person with two
@@ -62,6 +62,7 @@ void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
   for (const Leg& leg : legs) p_WL_m_.push_back(now.X_WS * leg.middle_m);
   for (LiveTrack& track : tracks_) {
     track.predict(now, is_person(track) ? kPersonAccel_m2_per_s3 : kLegAccel_m2_per_s3);
+    if (is_person(track) && track.num_missed > 0) lose_way(track.point, now.dt_s);
   }
   lost_.predict(now, kPersonAccel_m2_per_s3, options);
   assign(legs, options);
@@ -84,7 +85,7 @@ void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& opt
   for (int column = 0; column < static_cast<int>(slots_.size()); ++column) {
     const LiveTrack& track = tracks_[slots_[column].track];
     const double stride_m = is_person(track) ? kStride_m : 0.0;
-    const double gate_m = std::min(options.max_gate_m, track.gate_m(options) + stride_m);
+    const double gate_m = track.gate_m(options) + stride_m;
     for (int row = 0; row < num_legs; ++row) {
       const double distance_m2 = (p_WL_m_[row] - track.point.p_m).squaredNorm();
       if (distance_m2 < gate_m * gate_m) assignment_.allow(row, column, surprise_of_leg(distance_m2, track));

@@ -10,7 +10,7 @@ struct TrackOptions {
   MotionSource motion = MotionSource::kAuto;  ///< where the sensor's own motion is taken from
   double gate_m = 0.15;              ///< a feature farther from where a track is expected is not its own ...
   double gate_speed_m_per_s = 1.8;   ///< ... widened by this, times the time since it was last seen ...
-  double max_gate_m = 0.6;           ///< ... up to this; for a hidden cylinder that moves, and its way since
+  double max_gate_m = 0.6;           ///< ... up to this; then a person's stride, a hidden cylinder's way
   int num_confirming_hits = 2;       ///< a track is reported from this hit on
   double sure_score = 0.95;          ///< ... but two legs at once with a score of this, from the first on
   int num_coasted_scans = 2;         ///< it is reported through so many scans without a hit

@@ -71,6 +71,12 @@ TEST(LostPeopleTest, ExpectsThemEverLessFarAheadAndEverLessExactly) {
   EXPECT_GT(lost.people()[0].point.var_p_m2, after_1_s.point.var_p_m2);
 }
 
+TEST(LostPeopleTest, OutOfSightAVelocityIsHalvedInLogarithmOf2) {
+  MovingPoint point{.v_m_per_s = {1.0, -2.0}};
+  for (int i = 0; i < 100; ++i) lose_way(point, std::log(2.0) / 100.0);
+  EXPECT_TRUE(point.v_m_per_s.isApprox(Eigen::Vector2d(0.5, -1.0), 1e-9));
+}
+
 TEST(LostPeopleTest, ANewcomerIsRatherWhoIsExpectedThere) {
   LostPeople lost;
   lost.remember(walker(1, {2.0, 0.0}, {1.0, 0.0}));

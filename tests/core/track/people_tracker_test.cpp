@@ -117,6 +117,19 @@ TEST(PeopleTrackerTest, ALegIsRatherOfWhosePlaceIsLessKnown) {
   EXPECT_EQ(stage.tracks()[1].feature, 1);
 }
 
+// The gate is 0.6 m at most, and a stride of 0.35 m on top.
+TEST(PeopleTrackerTest, ALegAStrideAheadIsAPersonsStill) {
+  for (const auto& [ahead_m, is_own] : {std::pair{0.8, true}, {1.0, false}}) {
+    Stage stage(0.19);
+    for (int i = 0; i < 6; ++i) stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1})});
+    stage.show({});
+    stage.show({leg_at({2.0, ahead_m})});
+    ASSERT_FALSE(stage.tracks().empty());
+    EXPECT_EQ(stage.tracks()[0].kind, TrackKind::kPerson);
+    EXPECT_EQ(stage.tracks()[0].feature != kNoFeature, is_own) << ahead_m;
+  }
+}
+
 TEST(PeopleTrackerTest, APersonLivesOnOneLeg) {
   Stage stage;
   for (int i = 0; i < 30; ++i) {
