@@ -26,6 +26,11 @@ constexpr double kWalkDistance_m = 0.7;      // what moves so far within the win
 constexpr double kPersonRadius_m = 0.25;
 constexpr double kLegRadius_m = 0.10;
 
+// Somebody is there if one of two legs is a leg; what one is says nothing of the other.
+double either(double score, double other_score) {
+  return 1.0 - (1.0 - score) * (1.0 - other_score);
+}
+
 bool is_person(const LiveTrack& track) {
   return track.kind == TrackKind::kPerson;
 }
@@ -121,7 +126,7 @@ void PeopleTracker::correct(LiveTrack& track, const TrackedScan& now, const std:
   Eigen::Vector2d measured_m = p_WL_m_[track.feature];
   double sigma_m = is_person(track) ? kOneLegSigma_m : kLegSigma_m;
   if (track.second_feature != kNoFeature) {
-    log_odds = std::max(log_odds, log_odds_of(legs[track.second_feature].score));
+    log_odds = log_odds_of(either(legs[track.feature].score, legs[track.second_feature].score));
     measured_m = (measured_m + p_WL_m_[track.second_feature]) / 2;
     sigma_m = kBothLegsSigma_m;
   }
@@ -182,7 +187,9 @@ void PeopleTracker::join_pairs(const TrackOptions& options) {
     if (!is_free_leg(elder) || !is_free_leg(younger)) continue;
     elder.kind = TrackKind::kPerson;
     elder.second_feature = younger.feature;
-    elder.point.p_m = (elder.point.p_m + younger.point.p_m) / 2;
+    const Eigen::Vector2d to_middle_m = (younger.point.p_m - elder.point.p_m) / 2;
+    elder.point.p_m += to_middle_m;
+    elder.history.shift(to_middle_m);  // nobody walked there
     elder.point.v_m_per_s = (elder.point.v_m_per_s + younger.point.v_m_per_s) / 2;
     elder.log_odds = std::max(elder.log_odds, younger.log_odds);
     younger.is_dead = true;

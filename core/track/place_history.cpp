@@ -20,6 +20,10 @@ void PlaceHistory::add(double time_s, const Eigen::Vector2d& p_m, double window_
   entries_[(first_ + size_++) % kCapacity] = {time_s, p_m};
 }
 
+void PlaceHistory::shift(const Eigen::Vector2d& by_m) {
+  for (Entry& entry : entries_) entry.p_m += by_m;
+}
+
 Eigen::Vector2d PlaceHistory::mean_m(int from, int count) const {
   Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
   for (int i = from; i < from + count; ++i) sum_m += entry(i).p_m;

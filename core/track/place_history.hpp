@@ -11,6 +11,9 @@ class PlaceHistory {
  public:
   void add(double time_s, const Eigen::Vector2d& p_m, double window_s);
 
+  /// Moves all of it, where something else is to be followed than was so far.
+  void shift(const Eigen::Vector2d& by_m);
+
   /// Distance from the mean of the oldest third of the window to the mean of the newest; 0 with fewer than 3
   /// entries.
   double net_displacement_m() const;

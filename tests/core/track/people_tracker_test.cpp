@@ -117,6 +117,14 @@ TEST(PeopleTrackerTest, ALegIsRatherOfWhosePlaceIsLessKnown) {
   EXPECT_EQ(stage.tracks()[1].feature, 1);
 }
 
+// Each of two legs is none with 0.3, both with 0.09.
+TEST(PeopleTrackerTest, TwoLegsAreSurerThanOne) {
+  Stage stage;
+  for (int i = 0; i < 60; ++i) stage.show({leg_at({2.0, 0.1}, 0.7), leg_at({2.0, -0.1}, 0.7)});
+  ASSERT_EQ(stage.tracks().size(), 1u);
+  EXPECT_NEAR(stage.tracks()[0].score(), 0.91, 1e-4);  // but for 0.8^60 of what it began with
+}
+
 // The gate is 0.6 m at most, and a stride of 0.35 m on top.
 TEST(PeopleTrackerTest, ALegAStrideAheadIsAPersonsStill) {
   for (const auto& [ahead_m, is_own] : {std::pair{0.8, true}, {1.0, false}}) {

@@ -52,5 +52,13 @@ TEST(PlaceHistoryTest, AClockThatJumpsBackBeginsAnew) {
   EXPECT_EQ(history.span_s(), 0.0);
 }
 
+TEST(PlaceHistoryTest, AShiftIsNoDisplacement) {
+  PlaceHistory history;
+  for (int i = 0; i < 5; ++i) history.add(0.1 * i, {0.0, 0.0}, 2.0);
+  history.shift({1.0, -2.0});
+  for (int i = 5; i < 10; ++i) history.add(0.1 * i, {1.0, -2.0}, 2.0);
+  EXPECT_NEAR(history.net_displacement_m(), 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace scanbed
