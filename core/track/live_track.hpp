@@ -23,20 +23,20 @@ struct LiveTrack {
   MovingPoint point;
   PlaceHistory history;
   int num_hits = 0;
-  double age_s = 0.0;                     ///< since the first hit
-  int num_missed = 0;                     ///< scans in a row
-  double unseen_s = 0.0;                  ///< since the last hit
-  double hidden_s = 0.0;                  ///< of these: while something nearer hid it
-  double occupied_s = 0.0;                ///< while something stood there that was not recognised
-  double empty_s = 0.0;                   ///< the rest
-  PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
-  double log_odds = 0.0;                  ///< mean along the track
-  double motion_evidence = 0.0;           ///< log-odds that its having moved adds
-  double radius_m = 0.0;                  ///< of a cylinder
-  bool is_mobile = false;
-  bool is_dead = false;
+  int num_missed = 0;            ///< scans in a row
+  double age_s = 0.0;            ///< since the first hit
+  double unseen_s = 0.0;         ///< since the last hit
+  double hidden_s = 0.0;         ///< of these: while something nearer hid it
+  double occupied_s = 0.0;       ///< while something stood there that was not recognised
+  double empty_s = 0.0;          ///< the rest
+  double log_odds = 0.0;         ///< mean along the track
+  double motion_evidence = 0.0;  ///< log-odds that its having moved adds
+  double radius_m = 0.0;         ///< of a cylinder
   int feature = kNoFeature;
   int second_feature = kNoFeature;
+  PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
+  bool is_mobile = false;
+  bool is_dead = false;
 
   /// Seen often enough, or as two legs that leave no doubt.
   bool is_confirmed(const TrackOptions& options) const;

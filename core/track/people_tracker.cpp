@@ -79,12 +79,16 @@ void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
   bury_dead();
 }
 
-void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& options) {
+void PeopleTracker::make_slots() {
   slots_.clear();
   for (int i = 0; i < static_cast<int>(tracks_.size()); ++i) {
     slots_.push_back({i});
     if (is_person(tracks_[i])) slots_.push_back({i});
   }
+}
+
+void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& options) {
+  make_slots();
   const int num_legs = static_cast<int>(legs.size());
   assignment_.reset(num_legs, static_cast<int>(slots_.size()), kMaxSurprise);
   for (int column = 0; column < static_cast<int>(slots_.size()); ++column) {

@@ -29,6 +29,7 @@ class PeopleTracker {
     int a = 0, b = 0;
   };
 
+  void make_slots();
   void assign(const std::vector<Leg>& legs, const TrackOptions& options);
   void correct(LiveTrack& track, const TrackedScan& now, const std::vector<Leg>& legs,
                const TrackOptions& options);
