@@ -2,12 +2,58 @@
 #include "core/detect/robust/line_pieces.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/detect/robust/lanes.hpp"
 
 namespace scanbed {
 namespace {
 
-constexpr int kMaxExhausted = 8;  // so few echoes are split everywhere to see where it is best
+constexpr int kNumCuts = RayLineSums::kNumCuts;
+
+// Of some neighbouring cuts, as many before the place as behind it: a corner may be on either piece.
+int first_cut_near(int place, Stretch all_cuts) {
+  return std::max(all_cuts.first, std::min(place - kNumCuts / 2, all_cuts.last + 1 - kNumCuts));
+}
+
+/// The chord between the ends of a stretch.
+class EchoChord {
+ public:
+  static constexpr int kNumSamples = 8;
+
+  EchoChord(const Echoes& echoes, Stretch places)
+      : x_m_(echoes.x_m.data()),
+        y_m_(echoes.y_m.data()),
+        last_(places.last),
+        along_x_m_(both_lanes(x_m_[places.last] - x_m_[places.first])),
+        along_y_m_(both_lanes(y_m_[places.last] - y_m_[places.first])),
+        offset_m2_(along_x_m_ * y_m_[places.first] - along_y_m_ * x_m_[places.first]) {}
+
+  /// The farthest of some places, kNumSamples from the first on in steps.
+  int farthest(int first, int step) const {
+    Lanes place = both_lanes(first);
+    Lanes most = both_lanes(-1.0);
+    for (int i = 0; i < kNumSamples; i += 2) {
+      const int a = std::min(first + i * step, last_);
+      const int b = std::min(a + step, last_);
+      const Lanes off_m2 =
+          along_x_m_ * Lanes{y_m_[a], y_m_[b]} - along_y_m_ * Lanes{x_m_[a], x_m_[b]} - offset_m2_;
+      const Lanes off_m4 = off_m2 * off_m2;
+      const auto is_farther = off_m4 > most;
+      place = is_farther ? Lanes{1.0 * a, 1.0 * b} : place;
+      most = is_farther ? off_m4 : most;
+    }
+    place = swapped(most) > most ? swapped(place) : place;
+    return static_cast<int>(place[0]);
+  }
+
+ private:
+  const double* x_m_;
+  const double* y_m_;
+  int last_;
+  Lanes along_x_m_;
+  Lanes along_y_m_;
+  Lanes offset_m2_;
+};
 
 }  // namespace
 
@@ -15,118 +61,123 @@ void LineSplitter::begin(const Echoes& echoes, const RayLineSums& sums, const Su
   echoes_ = &echoes;
   sums_ = &sums;
   options_ = &options;
+  parts_.resize(echoes.size());
+  // One more, as a part is written before it is known whether it counts.
+  to_cut_.resize(echoes.size() + 1);
+  num_to_cut_ = 0;
 }
 
-void LineSplitter::split(Stretch surface, std::vector<LinePiece>& pieces) {
-  const std::size_t first_piece = pieces.size();
-  split_down(surface, pieces);
-  merge_up(first_piece, pieces);
+void LineSplitter::add(Stretch surface) {
+  add_part(surface, sums_->chi2_of(surface));
 }
 
-LinePiece LineSplitter::piece_of(Stretch places) const {
-  const double as_clutter = options_->clutter_price * places.size();
-  if (places.size() < 2) return {places, {}, as_clutter};
-  const RayLine line = sums_->fit(places);
-  return {places, line, std::min(as_clutter, options_->line_price + line.chi2)};
+void LineSplitter::add_part(Stretch places, double chi2) {
+  parts_[places.first] = {places.last, chi2};
+  // On a wall chi squared is expected + 4 sqrt(expected) + 4 at most: some three sigma. Said without the
+  // root.
+  const double expected = places.size() - 2;
+  const double excess = chi2 - expected - 4.0;
+  const bool is_line = (places.size() <= 3) | (excess * std::max(excess, 0.0) < 16.0 * expected);
+  to_cut_[num_to_cut_] = places;
+  num_to_cut_ += is_line ? 0 : 1;
 }
 
-void LineSplitter::split_down(Stretch surface, std::vector<LinePiece>& pieces) {
-  pending_.assign(1, surface);
-  while (!pending_.empty()) {
-    const Stretch places = pending_.back();
-    pending_.pop_back();
-    const LinePiece piece = piece_of(places);
-    const double expected = places.size() - 2;
-    if (places.size() <= 3 || piece.line.chi2 < expected + 4.0 * std::sqrt(expected) + 4.0) {
-      pieces.push_back(piece);
-      continue;
-    }
-    const int split = best_split(places);
-    pending_.push_back({split + 1, places.last});
-    pending_.push_back({places.first, split});
+void LineSplitter::split() {
+  while (num_to_cut_ > 0) cut_all();
+}
+
+// In three rounds, so that what is sought for one part need not wait for another.
+void LineSplitter::cut_all() {
+  const int num_parts = num_to_cut_;
+  cutting_.assign(to_cut_.begin(), to_cut_.begin() + num_parts);
+  first_cuts_.resize(num_parts);
+  cuts_.resize(num_parts);
+  for (int i = 0; i < num_parts; ++i) first_cuts_[i] = first_cut_of(cutting_[i]);
+  for (int i = 0; i < num_parts; ++i) cuts_[i] = sums_->best_cut(cutting_[i], first_cuts_[i]);
+  num_to_cut_ = 0;
+  for (int i = 0; i < num_parts; ++i) {
+    const Stretch places = cutting_[i];
+    climb(places, first_cuts_[i], cuts_[i]);
+    const RayLineSums::Cut& cut = cuts_[i];
+    add_part({places.first, cut.place}, cut.chi2_before);
+    add_part({cut.place + 1, places.last}, cut.chi2_after);
   }
 }
 
-// The last place of the first of two pieces. On long stretches the search starts at the point farthest from
-// the chord.
-int LineSplitter::best_split(Stretch places) const {
-  if (places.size() > kMaxExhausted) return climb_to_best_split(places, farthest_from_chord(places));
-  Split best{places.first, sums_->explained_by_two(places, places.first)};
-  for (int s = places.first + 1; s < places.last; ++s) best = better_of(best, split_at(places, s));
-  return best.place;
+int LineSplitter::first_cut_of(Stretch places) const {
+  const Stretch all{places.first, places.last - 1};
+  return all.size() > kNumCuts ? first_cut_near(far_from_chord(places), all) : all.first;
 }
 
-LineSplitter::Split LineSplitter::split_at(Stretch places, int place) const {
-  place = std::clamp(place, places.first, places.last - 1);
-  return {place, sums_->explained_by_two(places, place)};
-}
-
-int LineSplitter::farthest_from_chord(Stretch places) const {
-  using Block = Eigen::Array<double, 8, 1>;
-  const Eigen::Vector2d from_m = echoes_->point_m(places.first);
-  const Eigen::Vector2d along_m = echoes_->point_m(places.last) - from_m;
-  const auto off_from = [&](int i) -> Block {
-    const auto x_m = Eigen::Map<const Block>(&echoes_->x_m[i]);
-    const auto y_m = Eigen::Map<const Block>(&echoes_->y_m[i]);
-    return (along_m.x() * (y_m - from_m.y()) - along_m.y() * (x_m - from_m.x())).abs();
-  };
-  // The block with the largest, then the largest in it. The last block ends with the stretch, which is longer
-  // than a block.
-  int farthest = places.first;
-  double most = -1.0;
-  for (int i = places.first; i <= places.last; i += Block::SizeAtCompileTime) {
-    const int begin = std::min(i, places.last + 1 - static_cast<int>(Block::SizeAtCompileTime));
-    const double most_here = off_from(begin).maxCoeff();
-    farthest = most_here > most ? begin : farthest;
-    most = std::max(most, most_here);
+// Of a few samples the farthest, then around it in smaller steps.
+int LineSplitter::far_from_chord(Stretch places) const {
+  constexpr int kHalf = EchoChord::kNumSamples / 2;
+  const EchoChord chord(*echoes_, places);
+  int step = places.size() / EchoChord::kNumSamples;
+  int place = chord.farthest(places.first + step / 2, step);
+  while (step > kNumCuts) {
+    step /= kHalf;
+    place = chord.farthest(std::max(places.first, place - kHalf * step), step);
   }
-  const Block off = off_from(farthest);
-  int i = 0;
-  while (i + 1 < Block::SizeAtCompileTime && off[i] != most) ++i;
-  return farthest + i;
+  return place;
 }
 
-int LineSplitter::climb_to_best_split(Stretch places, int farthest) const {
-  // The corner may be on either piece.
-  Split best = better_of(split_at(places, farthest), split_at(places, farthest - 1));
-  for (int stride = std::clamp(places.size() / 4, 1, 8); stride > 1; stride /= 2) {
-    best = step(places, best, stride);
-  }
-  while (true) {
-    const Split next = step(places, best, 1);
-    if (next.place == best.place) return best.place;
+// Where the best is at an end of what was compared, a better one may follow.
+void LineSplitter::climb(Stretch places, int first_cut, RayLineSums::Cut& best) const {
+  const Stretch all{places.first, places.last - 1};
+  while (((best.place == first_cut) & (first_cut > all.first)) |
+         ((best.place == first_cut + kNumCuts - 1) & (best.place < all.last))) {
+    first_cut = first_cut_near(best.place, all);
+    const RayLineSums::Cut next = sums_->best_cut(places, first_cut);
+    if (!(next.chi2() < best.chi2())) return;
     best = next;
   }
 }
 
-// The better side, so that a mirrored run is cut at the same place.
-LineSplitter::Split LineSplitter::step(Stretch places, const Split& from, int stride) const {
-  return better_of(from,
-                   better_of(split_at(places, from.place - stride), split_at(places, from.place + stride)));
-}
-
-// Each pass moves the pieces that stay to the front.
-bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) const {
-  std::size_t last_kept = first_piece;
-  for (std::size_t next = first_piece + 1; next < pieces.size(); ++next) {
-    LinePiece& kept = pieces[last_kept];
-    const LinePiece both = piece_of({kept.places.first, pieces[next].places.last});
-    if (both.cost > kept.cost + pieces[next].cost) {
-      pieces[++last_kept] = pieces[next];
-    } else {
-      kept = both;
-      // What follows is compared in the next pass, as it would be from the other side.
-      if (++next < pieces.size()) pieces[++last_kept] = pieces[next];
-    }
+void LineSplitter::append_pieces(Stretch surface, std::vector<LinePiece>& pieces) {
+  const std::size_t first_piece = pieces.size();
+  for (int place = surface.first; place <= surface.last; place = parts_[place].last + 1) {
+    const Stretch places{place, parts_[place].last};
+    const double chi2 = parts_[place].chi2;
+    pieces.push_back({places, chi2, cost_of(places, chi2)});
   }
-  const bool merged = last_kept + 1 < pieces.size();
-  pieces.resize(last_kept + 1);
-  return merged;
-}
-
-void LineSplitter::merge_up(std::size_t first_piece, std::vector<LinePiece>& pieces) const {
   while (merge_once(first_piece, pieces)) {
   }
+}
+
+double LineSplitter::cost_of(Stretch places, double chi2) const {
+  const double as_clutter = options_->clutter_price * places.size();
+  return places.size() < 2 ? as_clutter : std::min(as_clutter, options_->line_price + chi2);
+}
+
+// Neighbours that one line explains at no more cost become one piece.
+bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) {
+  const int num_pieces = static_cast<int>(pieces.size() - first_piece);
+  LinePiece* const piece = pieces.data() + first_piece;
+  if (!compare_pairs({piece, static_cast<std::size_t>(num_pieces)})) return false;
+  // The pieces that stay move to the front.
+  int num_kept = 0;
+  for (int i = 0; i < num_pieces; ++i) {
+    const bool merges = i + 1 < num_pieces && pairs_[i].cost <= piece[i].cost + piece[i + 1].cost;
+    piece[num_kept++] = merges ? pairs_[i] : piece[i];
+    // The pair is compared with what follows in the next pass, as it would be from the other side.
+    if (merges) ++i;
+  }
+  pieces.resize(first_piece + num_kept);
+  return true;
+}
+
+bool LineSplitter::compare_pairs(std::span<const LinePiece> pieces) {
+  const std::size_t num_pairs = pieces.size() - 1;
+  pairs_.resize(num_pairs);
+  int num_worth = 0;
+  for (std::size_t i = 0; i < num_pairs; ++i) {
+    const Stretch places{pieces[i].places.first, pieces[i + 1].places.last};
+    const double chi2 = sums_->chi2_of(places);
+    pairs_[i] = {places, chi2, cost_of(places, chi2)};
+    num_worth += pairs_[i].cost <= pieces[i].cost + pieces[i + 1].cost ? 1 : 0;
+  }
+  return num_worth > 0;
 }
 
 }  // namespace scanbed

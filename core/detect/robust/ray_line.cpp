@@ -1,32 +1,101 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/robust/ray_line.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace scanbed {
+namespace {
+
+/// Cuts of two lanes.
+struct LaneCuts {
+  Lanes place;
+  Lanes chi2;
+  Lanes chi2_before;
+
+  /// What is better in `other`, lane by lane.
+  void take(const LaneCuts& other) {
+    const auto is_better = other.chi2 < chi2;
+    place = is_better ? other.place : place;
+    chi2 = is_better ? other.chi2 : chi2;
+    chi2_before = is_better ? other.chi2_before : chi2_before;
+  }
+};
+
+}  // namespace
 
 void RayLineSums::build(const Echoes& echoes) {
   const int num_echoes = echoes.size();
-  sums_.resize(num_echoes + 1);
-  Sums sum;
-  sums_[0] = sum;
+  for (std::vector<double>* sums : {&q_, &qx_, &qy_, &qxx_, &qxy_, &qyy_}) {
+    sums->resize(num_echoes + 1);
+    sums->front() = 0.0;
+  }
+  // In pairs, as two sums grow as fast as one.
+  Lanes q_and_qx{};
+  Lanes qy_and_qxx{};
+  Lanes qxy_and_qyy{};
   for (int k = 0; k < num_echoes; ++k) {
     const double x = echoes.x_m[k];
     const double y = echoes.y_m[k];
     const double q = echoes.weight_per_m2[k] * (echoes.range_m[k] * echoes.range_m[k]);
     const double qx = q * x;
     const double qy = q * y;
-    sum.q += q;
-    sum.qx += qx;
-    sum.qy += qy;
-    sum.qxx += qx * x;
-    sum.qxy += qx * y;
-    sum.qyy += qy * y;
-    sums_[k + 1] = sum;
+    q_and_qx += Lanes{q, qx};
+    qy_and_qxx += Lanes{qy, qx * x};
+    qxy_and_qyy += both_lanes(qy) * Lanes{x, y};
+    q_[k + 1] = q_and_qx[0];
+    qx_[k + 1] = q_and_qx[1];
+    qy_[k + 1] = qy_and_qxx[0];
+    qxx_[k + 1] = qy_and_qxx[1];
+    qxy_[k + 1] = qxy_and_qyy[0];
+    qyy_[k + 1] = qxy_and_qyy[1];
   }
 }
 
+RayLineSums::Sums<Lanes> RayLineSums::before_two(int place) const {
+  return {lanes_at(&q_[place]),   lanes_at(&qx_[place]),  lanes_at(&qy_[place]),
+          lanes_at(&qxx_[place]), lanes_at(&qxy_[place]), lanes_at(&qyy_[place])};
+}
+
+RayLineSums::Cut RayLineSums::best_cut(Stretch places, int first_cut) const {
+  const auto twice = [](const Sums<double>& s) {
+    return Sums<Lanes>{both_lanes(s.q),   both_lanes(s.qx),  both_lanes(s.qy),
+                       both_lanes(s.qxx), both_lanes(s.qxy), both_lanes(s.qyy)};
+  };
+  const Sums<Lanes> first = twice(before(places.first));
+  const Sums<Lanes> end = twice(before(places.last + 1));
+  const Lanes only_first = both_lanes(places.first);
+  const Lanes all_but_last = both_lanes(places.last - 1);
+  LaneCuts best{both_lanes(places.first), both_lanes(std::numeric_limits<double>::infinity()), Lanes{}};
+  for (int i = 0; i < kNumCuts; i += 2) {
+    const int cut = std::min(first_cut + i, places.last - 2);
+    const Sums<Lanes> middle = before_two(cut + 1);
+    const Lanes place = Lanes{0.0, 1.0} + both_lanes(cut);
+    // A line explains a single echo wholly; the quotient says nothing there.
+    const Lanes before = place > only_first ? chi2(difference(middle, first)) : Lanes{};
+    const Lanes after = place < all_but_last ? chi2(difference(end, middle)) : Lanes{};
+    best.take({place, before + after, before});
+  }
+  best.take({swapped(best.place), swapped(best.chi2), swapped(best.chi2_before)});
+  return {static_cast<int>(best.place[0]), best.chi2_before[0], best.chi2[0] - best.chi2_before[0]};
+}
+
+RayLine RayLineSums::solve(const Sums<double>& s) {
+  const double determinant = s.qxx * s.qyy - s.qxy * s.qxy;
+  if (determinant <= 0.0) return {};
+  RayLine line;
+  line.inverse_m = Eigen::Vector2d(s.qyy * s.qx - s.qxy * s.qy, s.qxx * s.qy - s.qxy * s.qx) / determinant;
+  line.chi2 = std::max(0.0, s.q - line.inverse_m.x() * s.qx - line.inverse_m.y() * s.qy);
+  return line;
+}
+
+RayLine RayLineSums::fit(Stretch places) const {
+  return solve(between(places));
+}
+
 RayLine RayLineSums::fit_both(Stretch a, Stretch b) const {
-  Sums sums = between(a.first, a.last);
-  const Sums other = between(b.first, b.last);
+  Sums<double> sums = between(a);
+  const Sums<double> other = between(b);
   sums.q += other.q;
   sums.qx += other.qx;
   sums.qy += other.qy;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
+#include "core/detect/robust/lanes.hpp"
 #include "core/detect/robust/surface_runs.hpp"
 
 namespace scanbed {
@@ -27,65 +28,68 @@ class RayLineSums {
   /// Weighted least squares over a stretch of at least two echoes.
   RayLine fit(Stretch places) const;
 
-  /// How much of the sum of q the lines through [places.first, split] and [split + 1, places.last] explain:
-  /// the more, the less chi squared they leave. @pre  first <= split < last.
-  double explained_by_two(Stretch places, int split) const;
+  /// What the line through a stretch leaves unexplained.
+  double chi2_of(Stretch places) const;
 
   /// One line through both.
   RayLine fit_both(Stretch a, Stretch b) const;
 
- private:
-  struct Sums {
-    double q = 0, qx = 0, qy = 0, qxx = 0, qxy = 0, qyy = 0;
-  };
-  Sums between(int first, int last) const;
-  static RayLine solve(const Sums& sums);
+  /// A stretch cut in two behind a place: what the lines on both sides leave unexplained.
+  struct Cut {
+    int place = 0;
+    double chi2_before = 0.0;
+    double chi2_after = 0.0;
 
-  std::vector<Sums> sums_;  ///< over the echoes before each, and over all
+    double chi2() const { return chi2_before + chi2_after; }
+  };
+  static constexpr int kNumCuts = 8;  ///< that are compared at a time
+  /// The best of kNumCuts neighbouring cuts from the first on; of fewer where the stretch ends.
+  /// @pre  places.size() >= 3, places.first <= first_cut < places.last.
+  Cut best_cut(Stretch places, int first_cut) const;
+
+ private:
+  template <typename T>
+  struct Sums {
+    T q, qx, qy, qxx, qxy, qyy;
+  };
+  template <typename T>
+  static Sums<T> difference(const Sums<T>& a, const Sums<T>& b);
+  template <typename T>
+  static T chi2(const Sums<T>& sums);
+  Sums<double> before(int place) const;
+  Sums<Lanes> before_two(int place) const;
+  Sums<double> between(Stretch places) const;
+  static RayLine solve(const Sums<double>& sums);
+
+  std::vector<double> q_, qx_, qy_, qxx_, qxy_, qyy_;  ///< over the echoes before each, and over all
 };
 
 // Here for the inner loops that cut surfaces into lines.
 
-inline RayLineSums::Sums RayLineSums::between(int first, int last) const {
-  const Sums& a = sums_[first];
-  const Sums& b = sums_[last + 1];
-  return {b.q - a.q, b.qx - a.qx, b.qy - a.qy, b.qxx - a.qxx, b.qxy - a.qxy, b.qyy - a.qyy};
+template <typename T>
+inline RayLineSums::Sums<T> RayLineSums::difference(const Sums<T>& a, const Sums<T>& b) {
+  return {a.q - b.q, a.qx - b.qx, a.qy - b.qy, a.qxx - b.qxx, a.qxy - b.qxy, a.qyy - b.qyy};
 }
 
-inline RayLine RayLineSums::solve(const Sums& s) {
-  const double determinant = s.qxx * s.qyy - s.qxy * s.qxy;
-  if (determinant <= 0.0) return {};
-  RayLine line;
-  line.inverse_m = Eigen::Vector2d(s.qyy * s.qx - s.qxy * s.qy, s.qxx * s.qy - s.qxy * s.qx) / determinant;
-  line.chi2 = std::max(0.0, s.q - line.inverse_m.x() * s.qx - line.inverse_m.y() * s.qy);
-  return line;
+inline RayLineSums::Sums<double> RayLineSums::before(int place) const {
+  return {q_[place], qx_[place], qy_[place], qxx_[place], qxy_[place], qyy_[place]};
 }
 
-inline RayLine RayLineSums::fit(Stretch places) const {
-  return solve(between(places.first, places.last));
+inline RayLineSums::Sums<double> RayLineSums::between(Stretch places) const {
+  return difference(before(places.last + 1), before(places.first));
 }
 
-inline double RayLineSums::explained_by_two(Stretch places, int split) const {
-  using Lanes = Eigen::Array2d;  // before the split, after it
-  const Sums& first = sums_[places.first];
-  const Sums& middle = sums_[split + 1];
-  const Sums& last = sums_[places.last + 1];
-  const auto both = [&](double Sums::*sum) {
-    return Lanes(middle.*sum - first.*sum, last.*sum - middle.*sum);
-  };
-  const Lanes q = both(&Sums::q);
-  const Lanes qx = both(&Sums::qx);
-  const Lanes qy = both(&Sums::qy);
-  const Lanes qxx = both(&Sums::qxx);
-  const Lanes qxy = both(&Sums::qxy);
-  const Lanes qyy = both(&Sums::qyy);
-  const Lanes determinant = qxx * qyy - qxy * qxy;
-  Lanes explained = ((qyy * qx - qxy * qy) * qx + (qxx * qy - qxy * qx) * qy) / determinant;
-  explained = explained.min(q);
-  // A line explains a single echo wholly; the quotient says nothing there.
-  if (split == places.first) explained[0] = q[0];
-  if (split + 1 == places.last) explained[1] = q[1];
-  return explained.sum();
+template <typename T>
+inline T RayLineSums::chi2(const Sums<T>& s) {
+  const T determinant = s.qxx * s.qyy - s.qxy * s.qxy;
+  const T explained = (s.qyy * s.qx - s.qxy * s.qy) * s.qx + (s.qxx * s.qy - s.qxy * s.qx) * s.qy;
+  const T chi2 = s.q - explained / determinant;
+  // Never less but for rounding, or where all echoes lie on one ray.
+  return chi2 > 0.0 ? chi2 : T{};
+}
+
+inline double RayLineSums::chi2_of(Stretch places) const {
+  return places.size() < 2 ? 0.0 : chi2(between(places));
 }
 
 }  // namespace scanbed

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scanbed {
 namespace {
@@ -29,6 +30,8 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
   const SurfacedScan surfaced{scan, echoes};
   line_splitter_.begin(echoes, sums_, options.surface);
   arc_finder_.begin(surfaced, options);
+  for (int i = 0; i < runs_.num_runs(); ++i) line_splitter_.add(runs_.run(i));
+  line_splitter_.split();
   for (int i = 0; i < runs_.num_runs(); ++i) {
     if (runs_.run(i).size() >= kMinJoinedEchoes) explain(runs_.run(i));
   }
@@ -43,14 +46,12 @@ void SurfaceParser::explain(Stretch surface) {
   Explained explained{.places = surface,
                       .first_piece = static_cast<int>(pieces_.size()),
                       .first_arc = static_cast<int>(arcs_.size())};
-  line_splitter_.split(surface, pieces_);
+  line_splitter_.append_pieces(surface, pieces_);
   explained.num_pieces = static_cast<int>(pieces_.size()) - explained.first_piece;
   if (surface.size() >= kMinSurfaceEchoes) {
     arc_finder_.find(surface, pieces_of(explained), arcs_);
   }
   explained.num_arcs = static_cast<int>(arcs_.size()) - explained.first_arc;
-  for (const LinePiece& piece : pieces_of(explained)) explained.cost += piece.cost;
-  for (int i = 0; i < explained.num_arcs; ++i) explained.cost -= arcs_[explained.first_arc + i].gain;
   surfaces_.push_back(explained);
 }
 
@@ -63,6 +64,8 @@ void SurfaceParser::join_across_occluders(const SurfacedScan& scan) {
   for (std::size_t i = 0; i < num_surfaces; ++i) {
     const int last = surfaces_[i].places.last;
     HiddenBeams hidden{.last = scan.echoes.beam[last]};
+    // Behind most surfaces the next beam already sees farther.
+    if (!is_hidden_before(scan, last, std::min(hidden.last + 2, scan.scan.num_beams()), hidden)) continue;
     const std::size_t end = std::min(num_surfaces, i + 1 + kMaxSurfacesBetween);
     for (std::size_t j = i + 1; j < end; ++j) {
       const int first_beam = scan.echoes.beam[surfaces_[j].places.first];
@@ -90,9 +93,11 @@ bool SurfaceParser::may_go_on(const SurfacedScan& scan, const Explained& before,
   const int last = before.places.last;
   const int first = after.places.first;
   if (e.beam[first] <= e.beam[last] + 1) return false;
-  const double widest_m = 2.0 * options_->surface.max_radius_m;
-  if ((e.point_m(first) - e.point_m(before.places.first)).norm() > widest_m) return false;
-  if ((e.point_m(last) - e.point_m(after.places.last)).norm() > widest_m) return false;
+  const auto are_near = [&](int a, int b) {
+    const double widest_m = 2.0 * options_->surface.max_radius_m;
+    return (e.point_m(a) - e.point_m(b)).squaredNorm() <= widest_m * widest_m;
+  };
+  if (!are_near(first, before.places.first) || !are_near(last, after.places.last)) return false;
   for (int beam = e.beam[last] + 1; beam < e.beam[first]; ++beam) {
     if (scan.scan.has_echo(beam) && scan.scan.range_m[beam] >= e.range_m[first]) return false;
   }
@@ -101,7 +106,7 @@ bool SurfaceParser::may_go_on(const SurfacedScan& scan, const Explained& before,
 
 bool SurfaceParser::join(Explained& before, Explained& after) {
   const double as_line = options_->surface.line_price + sums_.fit_both(before.places, after.places).chi2;
-  const double cost = std::min(before.cost + after.cost, as_line);
+  const double cost = std::min(cost_of(before) + cost_of(after), as_line);
   const auto arc = arc_finder_.join(before.places, after.places, cost);
   if (!arc) return false;
   release(before);
@@ -110,31 +115,51 @@ bool SurfaceParser::join(Explained& before, Explained& after) {
   return true;
 }
 
+double SurfaceParser::cost_of(const Explained& surface) {
+  double cost = 0.0;
+  for (const LinePiece& piece : pieces_of(surface)) cost += piece.cost;
+  for (int i = 0; i < surface.num_arcs; ++i) cost -= arcs_[surface.first_arc + i].gain;
+  return cost;
+}
+
 void SurfaceParser::release(Explained& surface) {
   for (LinePiece& piece : pieces_of(surface)) piece.is_taken = true;
-  for (int i = 0; i < surface.num_arcs; ++i) arcs_[surface.first_arc + i].gain = 0.0;
+  constexpr double kNeverSure = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < surface.num_arcs; ++i) arcs_[surface.first_arc + i].doubt = kNeverSure;
 }
 
 void SurfaceParser::report_lines(const SurfacedScan& scan, Features& features) const {
+  const double min_length_m = options_->line.min_length_m;
+  const double min_chord_m2 = min_length_m * min_length_m;
   for (const LinePiece& piece : pieces_) {
     const int num_echoes = piece.places.size();
-    if (piece.is_taken || num_echoes < options_->line.min_points) continue;
-    if (piece.line.chi2 > options_->surface.max_chi2(num_echoes)) continue;
+    const Eigen::Vector2d chord_m =
+        scan.echoes.point_m(piece.places.last) - scan.echoes.point_m(piece.places.first);
+    // All at once, as each alone is hard to foresee. No line is longer than the chord of its ends.
+    const bool is_out = piece.is_taken | (num_echoes < options_->line.min_points) |
+                        (piece.chi2 > options_->surface.max_chi2(num_echoes)) |
+                        (chord_m.squaredNorm() < min_chord_m2);
+    if (is_out) continue;
     const Line line = line_of(scan, piece);
-    if ((line.right_m - line.left_m).norm() >= options_->line.min_length_m) features.lines.push_back(line);
+    if ((line.right_m - line.left_m).squaredNorm() >= min_chord_m2) features.lines.push_back(line);
   }
 }
 
 // Ends and errors on the line that rays see, which weighs grazing echoes rightly.
 Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) const {
-  const auto point_m = [&](int place) { return scan.echoes.point_m(place); };
-  const double distance_m = 1.0 / piece.line.inverse_m.norm();
-  const Eigen::Vector2d normal = piece.line.inverse_m * distance_m;
-  const auto off_m = [&](int place) { return distance_m - normal.dot(point_m(place)); };
-  const auto foot_m = [&](int place) { return Eigen::Vector2d(point_m(place) + off_m(place) * normal); };
-  Line line;
+  const Echoes& echoes = scan.echoes;
   const auto [first, last] = piece.places;
-  line.beams = {scan.echoes.beam[first], scan.echoes.beam[last]};
+  const Eigen::Vector2d inverse_m = sums_.fit(piece.places).inverse_m;
+  const double distance_m = 1.0 / inverse_m.norm();
+  const Eigen::Vector2d normal = inverse_m * distance_m;
+  const auto off_m = [&](int place) {
+    return distance_m - (normal.x() * echoes.x_m[place] + normal.y() * echoes.y_m[place]);
+  };
+  const auto foot_m = [&](int place) {
+    return Eigen::Vector2d(echoes.point_m(place) + off_m(place) * normal);
+  };
+  Line line;
+  line.beams = {echoes.beam[first], echoes.beam[last]};
   line.left_m = foot_m(first);
   line.right_m = foot_m(last);
   if (std::abs(normal.y()) > kMinCosine) {
@@ -142,9 +167,7 @@ Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) co
     line.bias_m = distance_m / normal.y();
   }
   line.num_points = piece.places.size();
-  const auto x_m = Eigen::Map<const Eigen::ArrayXd>(&scan.echoes.x_m[first], line.num_points);
-  const auto y_m = Eigen::Map<const Eigen::ArrayXd>(&scan.echoes.y_m[first], line.num_points);
-  line.error_m = (distance_m - (normal.x() * x_m + normal.y() * y_m)).abs().maxCoeff();
+  for (int k = first; k <= last; ++k) line.error_m = std::max(line.error_m, std::abs(off_m(k)));
   line.score = 1.0 - 2.0 / line.num_points;
   return line;
 }

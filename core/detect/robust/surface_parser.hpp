@@ -34,7 +34,6 @@ class SurfaceParser {
     int num_pieces = 0;
     int first_arc = 0;  ///< of arcs_
     int num_arcs = 0;
-    double cost = 0.0;
   };
 
   /// The beams behind an echo that met something nearer than it.
@@ -47,6 +46,7 @@ class SurfaceParser {
   void join_across_occluders(const SurfacedScan& scan);
   static bool is_hidden_before(const SurfacedScan& scan, int echo, int beam, HiddenBeams& hidden);
   bool may_go_on(const SurfacedScan& scan, const Explained& before, const Explained& after) const;
+  double cost_of(const Explained& surface);
   bool join(Explained& before, Explained& after);
   void release(Explained& surface);
   std::span<LinePiece> pieces_of(const Explained& surface);

@@ -23,7 +23,9 @@ struct Parsed {
     std::vector<LinePiece> pieces;
     LineSplitter splitter;
     splitter.begin(echoes, sums, options.surface);
-    splitter.split(runs.run(run), pieces);
+    splitter.add(runs.run(run));
+    splitter.split();
+    splitter.append_pieces(runs.run(run), pieces);
     std::vector<Arc> arcs;
     finder().find(runs.run(run), pieces, arcs);
     return arcs;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -24,7 +26,10 @@ Split split(const LaserScan& scan) {
   const SurfaceOptions options;
   LineSplitter splitter;
   splitter.begin(result.echoes, sums, options);
-  splitter.split({0, result.echoes.size() - 1}, result.pieces);
+  const Stretch all{0, result.echoes.size() - 1};
+  splitter.add(all);
+  splitter.split();
+  splitter.append_pieces(all, result.pieces);
   return result;
 }
 
@@ -49,6 +54,89 @@ TEST(LineSplitterTest, ACornerSplitsWhereItIs) {
       (std::atan2(1.0, 3.0) - scan.geometry.first_rad) / scan.geometry.step_rad;  // as the wall meets it
   EXPECT_NEAR(result.echoes.beam[result.pieces[0].places.last], corner_beam, 2.0);
   EXPECT_EQ(result.pieces[1].places.first, result.pieces[0].places.last + 1);
+}
+
+// Chi squared that two lines leave, by trying every cut.
+double least_chi2_of_two(const RayLineSums& sums, Stretch places) {
+  double least = sums.fit(places).chi2;
+  for (int cut = places.first + 1; cut + 2 < places.last; ++cut) {
+    least = std::min(least, sums.fit({places.first, cut}).chi2 + sums.fit({cut + 1, places.last}).chi2);
+  }
+  return least;
+}
+
+// Corners of all angles, anywhere on walls of few and of many beams.
+TEST(LineSplitterTest, ACornerIsCutWhereTheTwoLinesFitBest) {
+  for (int num_beams : {181, 361, 721, 1441}) {
+    ScanGeometry geometry;
+    geometry.num_beams = num_beams;
+    geometry.step_rad = kPi / (num_beams - 1);
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      const double corner_y_m = -0.9 + 0.045 * seed;
+      IdealScene scene(geometry);
+      scene.wall({3.0, -2.0}, {2.0 + 0.01 * seed, corner_y_m});
+      scene.wall({2.0 + 0.01 * seed, corner_y_m}, {3.0, 2.0});
+      const Split result = split(with_noise(scene.scan(), 0.004, seed));
+      ASSERT_EQ(result.pieces.size(), 2u) << num_beams << " " << seed;
+      RayLineSums sums;
+      sums.build(result.echoes);
+      const double least = least_chi2_of_two(sums, {0, result.echoes.size() - 1});
+      // Among many beams a neighbour of the best cut may be as good but for the noise: by less than any
+      // price.
+      EXPECT_NEAR(result.pieces[0].chi2 + result.pieces[1].chi2, least, num_beams <= 361 ? 1e-3 : 0.5);
+    }
+  }
+}
+
+TEST(LineSplitterTest, SurfacesAreSplitAsEachWouldBeAlone) {
+  IdealScene scene;
+  scene.wall({3.0, -2.0}, {3.0, 1.0});
+  scene.wall({3.0, 1.0}, {1.0, 1.0});
+  scene.cylinder({1.5, -1.0}, 0.4);
+  Echoes echoes;
+  EchoReader().read(with_noise(scene.scan(), 0.005, 2), {}, echoes);
+  RayLineSums sums;
+  sums.build(echoes);
+  const SurfaceOptions options;
+  const int third = echoes.size() / 3;
+  const Stretch surfaces[] = {{0, third}, {third + 1, 2 * third}, {2 * third + 1, echoes.size() - 1}};
+  LineSplitter together;
+  together.begin(echoes, sums, options);
+  for (const Stretch& surface : surfaces) together.add(surface);
+  together.split();
+  for (const Stretch& surface : surfaces) {
+    LineSplitter alone;
+    alone.begin(echoes, sums, options);
+    alone.add(surface);
+    alone.split();
+    std::vector<LinePiece> expected;
+    std::vector<LinePiece> pieces;
+    alone.append_pieces(surface, expected);
+    together.append_pieces(surface, pieces);
+    ASSERT_EQ(pieces.size(), expected.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      EXPECT_EQ(pieces[i].places.last, expected[i].places.last);
+      EXPECT_EQ(pieces[i].cost, expected[i].cost);
+    }
+  }
+}
+
+TEST(LineSplitterTest, NoNeighboursAreLeftThatOneLineWouldExplainAtLessCost) {
+  IdealScene scene;
+  scene.cylinder({1.5, 0.0}, 0.5);
+  scene.wall({2.5, -2.0}, {2.5, 2.0});
+  const SurfaceOptions options;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Split result = split(with_noise(scene.scan(), 0.02, seed));
+    RayLineSums sums;
+    sums.build(result.echoes);
+    for (std::size_t i = 0; i + 1 < result.pieces.size(); ++i) {
+      const Stretch both{result.pieces[i].places.first, result.pieces[i + 1].places.last};
+      const double as_one =
+          std::min(options.line_price + sums.fit(both).chi2, options.clutter_price * both.size());
+      EXPECT_GT(as_one, result.pieces[i].cost + result.pieces[i + 1].cost - 1e-6);
+    }
+  }
 }
 
 TEST(LineSplitterTest, PiecesCoverTheSurfaceInOrder) {

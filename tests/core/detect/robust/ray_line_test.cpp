@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -50,23 +52,73 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
   EXPECT_NEAR(ratio, 1.0, 0.1);  // 50 runs of some 110 echoes: 4 sigma are 0.08
 }
 
-TEST(RayLineTest, WhatTwoLinesExplainIsWhatTheyDoNotLeave) {
+double chi2_of_two(const RayLineSums& sums, Stretch places, int cut) {
+  const auto chi2 = [&](Stretch part) { return part.size() == 1 ? 0.0 : sums.fit(part).chi2; };
+  return chi2({places.first, cut}) + chi2({cut + 1, places.last});
+}
+
+// Of the cuts from the first on, by trying each.
+int best_cut_by_trial(const RayLineSums& sums, Stretch places, int first_cut) {
+  const int end = std::min(first_cut + RayLineSums::kNumCuts, places.last);
+  int best = first_cut;
+  for (int cut = first_cut + 1; cut < end; ++cut) {
+    if (chi2_of_two(sums, places, cut) < chi2_of_two(sums, places, best)) best = cut;
+  }
+  return best;
+}
+
+TEST(RayLineTest, TheBestCutIsTheOneFoundByTrial) {
+  IdealScene scene;
+  scene.wall({2.0, -1.0}, {2.5, 0.2});
+  scene.wall({2.5, 0.2}, {2.2, 1.0});
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Echoes echoes;
+    EchoReader().read(with_noise(scene.scan(), 0.01, seed), {}, echoes);
+    RayLineSums sums;
+    sums.build(echoes);
+    for (const int size : {3, 4, 5, 8, 9, 10, 40, echoes.size()}) {
+      const Stretch places{echoes.size() - size, echoes.size() - 1};
+      for (int first_cut = places.first; first_cut < places.last; ++first_cut) {
+        const int best = best_cut_by_trial(sums, places, first_cut);
+        // The last window is moved to lie in the stretch as a whole pair of cuts.
+        const RayLineSums::Cut cut = sums.best_cut(places, first_cut);
+        if (first_cut + 1 < places.last) {
+          EXPECT_EQ(cut.place, best);
+        }
+        EXPECT_LE(cut.chi2(), chi2_of_two(sums, places, best) + 1e-4);
+        EXPECT_NEAR(cut.chi2(), chi2_of_two(sums, places, cut.place), 1e-4);
+        EXPECT_NEAR(cut.chi2_before, sums.chi2_of({places.first, cut.place}), 1e-4);
+      }
+    }
+  }
+}
+
+TEST(RayLineTest, AnEchoAtAnEndThatIsOffTheLineIsCutOff) {
   IdealScene scene;
   scene.wall({2.0, -1.0}, {2.5, 1.0});
-  Echoes echoes;
-  EchoReader().read(with_noise(scene.scan(), 0.005, 4), {}, echoes);
-  RayLineSums sums;
-  sums.build(echoes);
-  const int last = echoes.size() - 1;
-  double all = 0.0;
-  for (int k = 0; k <= last; ++k) all += echoes.range_m[k] * echoes.range_m[k] * echoes.weight_per_m2[k];
-  for (const int split : {1, 20, last - 2}) {
-    const double left = sums.fit({0, split}).chi2 + sums.fit({split + 1, last}).chi2;
-    EXPECT_NEAR(sums.explained_by_two({0, last}, split), all - left, 1e-9 * all);
+  for (const bool at_begin : {true, false}) {
+    Echoes echoes;
+    EchoReader().read(scene.scan(), {}, echoes);
+    const int last = echoes.size() - 1;
+    const int off = at_begin ? 0 : last;
+    for (std::vector<double>* column : {&echoes.range_m, &echoes.x_m, &echoes.y_m}) (*column)[off] *= 1.1;
+    RayLineSums sums;
+    sums.build(echoes);
+    const RayLineSums::Cut cut = sums.best_cut({0, last}, at_begin ? 0 : last - RayLineSums::kNumCuts);
+    // With one neighbour it would make a line without residual too.
+    EXPECT_NEAR(cut.place, at_begin ? 0.5 : last - 1.5, 0.5);
+    EXPECT_NEAR(cut.chi2(), 0.0, 1e-4);
   }
-  // One echo is explained wholly.
-  EXPECT_NEAR(sums.explained_by_two({0, last}, 0), all - sums.fit({1, last}).chi2, 1e-9 * all);
-  EXPECT_NEAR(sums.explained_by_two({0, last}, last - 1), all - sums.fit({0, last - 1}).chi2, 1e-9 * all);
+}
+
+TEST(RayLineTest, ChiSquaredIsThatOfTheFit) {
+  const Fitted whole = fit_all(with_noise(wall_scan(), 0.005, 4));
+  RayLineSums sums;
+  sums.build(whole.echoes);
+  for (const Stretch& places : {Stretch{0, 1}, Stretch{3, 20}, Stretch{0, whole.echoes.size() - 1}}) {
+    EXPECT_NEAR(sums.chi2_of(places), sums.fit(places).chi2, 1e-4);
+  }
+  EXPECT_EQ(sums.chi2_of({5, 5}), 0.0);
 }
 
 TEST(RayLineTest, TwoStretchesAreFittedAsOne) {
