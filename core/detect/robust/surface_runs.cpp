@@ -67,10 +67,16 @@ void SurfaceSplitter::find_stretches(const Echoes& echoes, const SurfaceOptions&
   margin_m2_.resize(num_echoes);
   double* const margin_m2 = margin_m2_.data();
   for (int k = 1; k < num_echoes; ++k) margin_m2[k] = bound.margin_m2(k - 1, k);
-  starts_.assign(1, 0);
+  // Jumps come when they will: kept by counting, as a processor would foresee them wrongly.
+  jumps_.resize(num_echoes);
+  int num_jumps = 0;
   for (int k = 1; k < num_echoes; ++k) {
-    if (margin_m2[k] > 0.0 || goes_on_steadily(echoes, options, starts_.back(), k - 1)) continue;
-    starts_.push_back(k);
+    jumps_[num_jumps] = k;
+    num_jumps += margin_m2[k] > 0.0 ? 0 : 1;
+  }
+  starts_.assign(1, 0);
+  for (int i = 0; i < num_jumps; ++i) {
+    if (!goes_on_steadily(echoes, options, starts_.back(), jumps_[i] - 1)) starts_.push_back(jumps_[i]);
   }
   starts_.push_back(num_echoes);
 }

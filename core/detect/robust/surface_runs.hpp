@@ -42,6 +42,7 @@ class SurfaceSplitter {
   void sort_column(Column& column, Column& sorted) const;
 
   std::vector<double> margin_m2_;  ///< of each echo: positive where it lies near the one before
+  std::vector<int> jumps_;         ///< echoes that do not
   std::vector<int> starts_;        ///< of stretches without a jump, and the end of the last
   std::vector<char> taken_;        ///< stretches that belong to a surface already
   std::vector<int> chain_;         ///< the stretches, surface by surface
