@@ -21,6 +21,16 @@ constexpr double kAlgebraicExcess = 1.1;
 // ... but for mixed pixels, which may be dropped where there is enough to gain.
 constexpr double kMixedExcess = 1.6;
 
+// Whether a point between two others bulges towards the sensor. Quick to see; what does not is no arc.
+inline bool bulges(const Eigen::Vector2d& first_m, const Eigen::Vector2d& between_m,
+                   const Eigen::Vector2d& last_m) {
+  const Eigen::Vector2d chord_m = last_m - first_m;
+  const Eigen::Vector2d d_m = between_m - first_m;
+  const double side = chord_m.y() * first_m.x() - chord_m.x() * first_m.y();
+  const double bulge_m2 = chord_m.x() * d_m.y() - chord_m.y() * d_m.x();
+  return std::copysign(1.0, side) * bulge_m2 >= kMinBulgeRatio * chord_m.squaredNorm();
+}
+
 }  // namespace
 
 int Arc::num_echoes() const {
@@ -35,6 +45,7 @@ void ArcFinder::begin(const SurfacedScan& scan, const DetectorOptions& options) 
 
 void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   contenders_.clear();
+  last_explained_piece_ = -1;
   const auto num_pieces = static_cast<int>(pieces.size());
   int end_of_short = 0;  // the first piece from i on that is too long for an arc
   for (int i = 0; i < num_pieces; ++i) {
@@ -51,18 +62,10 @@ bool ArcFinder::is_short(const LinePiece& piece) const {
   return (point_m(piece.places.last) - point_m(piece.places.first)).squaredNorm() <= thickest_m * thickest_m;
 }
 
-// Tries the pieces from the first on as one arc: all up to the last, then one less, and so on.
-void ArcFinder::contend(Stretch surface, std::span<const LinePiece> pieces, int first_piece, int last_piece) {
-  double cost = 0.0;
-  for (int i = first_piece; i <= last_piece; ++i) cost += pieces[i].cost;
-  for (int i = last_piece; i >= first_piece; cost -= pieces[i--].cost) {
-    // What costs no more than the least arc is quickly seen, and so is all that is shorter.
-    if (cost <= options_->surface.arc_price) return;
-    if (is_part_of_contender(first_piece, i)) continue;
-    Arc arc;
-    arc.parts[0] = {pieces[first_piece].places.first, pieces[i].places.last};
-    if (try_places(surface, cost, arc)) contenders_.push_back({first_piece, i, arc});
-  }
+// Quick to see: what costs no more than the least arc, has too few echoes, or does not bulge is none.
+inline bool ArcFinder::may_be_arc(Stretch places, double cost) const {
+  return (cost > options_->surface.arc_price) & (places.size() >= options_->circle.min_points) &
+         bulges(point_m(places.first), point_m((places.first + places.last) / 2), point_m(places.last));
 }
 
 // The best contenders become arcs, where they do not share pieces with better ones.
@@ -79,67 +82,72 @@ void ArcFinder::take_best(std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   }
 }
 
-// What one arc explains as well as can be asked is not looked at piece by piece.
-bool ArcFinder::is_part_of_contender(int first_piece, int last_piece) const {
-  // In rising order of their first pieces: those that begin too early to reach this far are not looked at.
-  for (auto c = contenders_.rbegin(); c != contenders_.rend(); ++c) {
-    if (c->first_piece + kMaxPiecesOfArc <= first_piece) return false;
-    if (last_piece <= c->last_piece && c->arc.fit.chi2 <= kGoodChi2PerEcho * c->arc.num_echoes()) return true;
+// Tries the pieces from the first on as one arc: all up to the last, then one less, and so on. What one arc
+// explains as well as can be asked is not looked at piece by piece.
+void ArcFinder::contend(Stretch surface, std::span<const LinePiece> pieces, int first_piece, int last_piece) {
+  if (last_piece <= last_explained_piece_) return;
+  const int first = pieces[first_piece].places.first;
+  std::array<Candidate, kMaxPiecesOfArc> candidates;
+  int num_candidates = 0;
+  double cost = 0.0;
+  for (int i = first_piece; i <= last_piece; ++i) {
+    cost += pieces[i].cost;
+    // Written in any case, kept where it may be an arc: a jump would be a guess.
+    candidates[num_candidates] = {i, cost};
+    num_candidates += may_be_arc({first, pieces[i].places.last}, cost) ? 1 : 0;
   }
-  return false;
+  while (num_candidates > 0 && candidates[num_candidates - 1].last_piece > last_explained_piece_) {
+    const Candidate& candidate = candidates[--num_candidates];
+    Arc arc;
+    arc.parts[0] = {first, pieces[candidate.last_piece].places.last};
+    if (!try_places(surface, candidate.cost, arc)) continue;
+    contenders_.push_back({first_piece, candidate.last_piece, arc});
+    if (arc.fit.chi2 <= kGoodChi2PerEcho * arc.num_echoes()) last_explained_piece_ = candidate.last_piece;
+  }
 }
 
 bool ArcFinder::try_places(Stretch surface, double cost, Arc& arc) {
   const Stretch places = arc.parts[0];
-  if (places.size() < options_->circle.min_points) return false;
-  if (!bulges(places, (places.first + places.last) / 2)) return false;
-  const double most_chi2 = cost - ends_of(surface, arc).price;
-  return most_chi2 > 0.0 && is_worth_fitting(moments_.arc(places), most_chi2, arc) &&
-         settle(surface, cost, arc);
+  // The quick algebraic fit first: most fail it even if their ends were free.
+  const std::optional<AlgebraicArc> algebraic = moments_.arc(places);
+  if (!is_worth_fitting(algebraic, cost - options_->surface.arc_price)) return false;
+  const Ends ends = ends_of(surface, arc);
+  if (!is_worth_fitting(algebraic, cost - ends.price)) return false;
+  arc.fit.cylinder = algebraic->cylinder;
+  return settle(surface, cost, ends, arc);
 }
 
-bool ArcFinder::is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2,
-                                 Arc& arc) const {
+bool ArcFinder::is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2) const {
   const double excess = most_chi2 > options_->surface.clutter_price ? kMixedExcess : kAlgebraicExcess;
-  if (!algebraic || algebraic->chi2 >= excess * most_chi2) return false;
-  arc.fit.cylinder = algebraic->cylinder;
-  return true;
+  return most_chi2 > 0.0 && algebraic && algebraic->chi2 < excess * most_chi2;
 }
 
 std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
   if (arc.num_echoes() < options_->circle.min_points) return std::nullopt;
   const Stretch both{before.first, after.last};
-  if (!bulges(both, before.last) && !bulges(both, after.first)) return std::nullopt;
-  const double most_chi2 = cost - ends_of(both, arc).price;
-  if (most_chi2 <= 0.0 || !is_worth_fitting(moments_.arc_of_both(before, after), most_chi2, arc)) {
-    return std::nullopt;
-  }
-  if (!settle(both, cost, arc)) return std::nullopt;
+  const auto bulges_at = [&](int place) {
+    return bulges(point_m(both.first), point_m(place), point_m(both.last));
+  };
+  if (!bulges_at(before.last) && !bulges_at(after.first)) return std::nullopt;
+  const Ends ends = ends_of(both, arc);
+  const std::optional<AlgebraicArc> algebraic = moments_.arc_of_both(before, after);
+  if (!is_worth_fitting(algebraic, cost - ends.price)) return std::nullopt;
+  arc.fit.cylinder = algebraic->cylinder;
+  if (!settle(both, cost, ends, arc)) return std::nullopt;
   return arc;
 }
 
 // Fits an arc and says what it gains against what its echoes cost otherwise.
-bool ArcFinder::settle(Stretch surface, double cost, Arc& arc) {
+bool ArcFinder::settle(Stretch surface, double cost, Ends ends, Arc& arc) {
   const int num_echoes = arc.num_echoes();
-  if (!fit_trimmed(surface, cost, arc) || !is_plausible(arc)) return false;
-  const Ends ends = ends_of(surface, arc);
+  if (!fit_trimmed(surface, cost, ends, arc) || !is_plausible(arc)) return false;
   arc.price = ends.price;
   const int num_dropped = num_echoes - arc.num_echoes();
   arc.gain = cost - arc.fit.chi2 - arc.price - options_->surface.clutter_price * num_dropped;
   if (arc.gain <= 0.0) return false;
   arc.doubt = doubt_of(arc, ends);
   return true;
-}
-
-// Quick to see; what does not bulge towards the sensor is no arc.
-bool ArcFinder::bulges(Stretch places, int between) const {
-  const Eigen::Vector2d a_m = point_m(places.first);
-  const Eigen::Vector2d chord_m = point_m(places.last) - a_m;
-  const Eigen::Vector2d d_m = point_m(between) - a_m;
-  const double side = chord_m.y() * a_m.x() - chord_m.x() * a_m.y();
-  const double bulge_m2 = (chord_m.x() * d_m.y() - chord_m.y() * d_m.x()) * (side < 0.0 ? -1.0 : 1.0);
-  return bulge_m2 >= kMinBulgeRatio * chord_m.squaredNorm();
 }
 
 bool ArcFinder::is_plausible(const Arc& arc) const {
@@ -163,22 +171,22 @@ ArcFinder::Ends ArcFinder::ends_of(Stretch surface, const Arc& arc) const {
 }
 
 // Mixed pixels at the ends go, round by round, while what they cost leaves something to gain.
-bool ArcFinder::fit_trimmed(Stretch surface, double cost, Arc& arc) const {
+bool ArcFinder::fit_trimmed(Stretch surface, double cost, Ends& ends, Arc& arc) const {
   const SurfaceOptions& o = options_->surface;
   const int num_echoes = arc.num_echoes();
-  for (int round = 0; round < kMaxTrimRounds; ++round) {
-    const Ends ends = ends_of(surface, arc);
-    const auto fit = fit_arc(echoes(), std::span(arc.parts).first(arc.num_parts),
-                             std::span(ends.witnesses).first(ends.num_free), arc.fit.cylinder);
+  double most_chi2 = cost - ends.price;
+  for (int round = 1;; ++round) {
+    const ArcEvidence evidence{std::span(arc.parts).first(arc.num_parts),
+                               std::span(ends.witnesses).first(ends.num_free)};
+    const auto fit = fit_arc(echoes(), evidence, arc.fit.cylinder, most_chi2);
     if (!fit) return false;
     arc.fit = *fit;
-    if (round + 1 == kMaxTrimRounds || !drop_mixed_ends(arc)) break;
+    if (round == kMaxTrimRounds || !drop_mixed_ends(arc)) return true;
     const int num_dropped = num_echoes - arc.num_echoes();
-    if (num_dropped > kMaxTrimmed * arc.num_parts || cost <= o.arc_price + o.clutter_price * num_dropped) {
-      return false;
-    }
+    ends = ends_of(surface, arc);
+    most_chi2 = cost - ends.price - o.clutter_price * num_dropped;
+    if (num_dropped > kMaxTrimmed * arc.num_parts || most_chi2 <= 0.0) return false;
   }
-  return true;
 }
 
 bool ArcFinder::drop_mixed_ends(Arc& arc) const {

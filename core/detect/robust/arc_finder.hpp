@@ -57,16 +57,21 @@ class ArcFinder {
     double price = 0.0;
   };
 
+  /// Pieces up to the last that may be an arc, and what they cost.
+  struct Candidate {
+    int last_piece;
+    double cost;
+  };
+
   bool is_short(const LinePiece& piece) const;
   void contend(Stretch surface, std::span<const LinePiece> pieces, int first_piece, int last_piece);
   void take_best(std::span<LinePiece> pieces, std::vector<Arc>& arcs);
-  bool is_part_of_contender(int first_piece, int last_piece) const;
   bool try_places(Stretch surface, double cost, Arc& arc);
-  bool settle(Stretch surface, double cost, Arc& arc);
-  bool is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2, Arc& arc) const;
-  bool bulges(Stretch places, int between) const;
+  bool settle(Stretch surface, double cost, Ends ends, Arc& arc);
+  bool is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2) const;
+  bool may_be_arc(Stretch places, double cost) const;
   Ends ends_of(Stretch surface, const Arc& arc) const;
-  bool fit_trimmed(Stretch surface, double cost, Arc& arc) const;
+  bool fit_trimmed(Stretch surface, double cost, Ends& ends, Arc& arc) const;
   bool drop_mixed_ends(Arc& arc) const;
   bool is_plausible(const Arc& arc) const;
   double arc_in_view_rad(const Arc& arc) const;
@@ -79,6 +84,7 @@ class ArcFinder {
   const DetectorOptions* options_ = nullptr;
   ArcMoments moments_;
   std::vector<Contender> contenders_;
+  int last_explained_piece_ = -1;  ///< by a contender, as well as can be asked
 };
 
 }  // namespace scanbed

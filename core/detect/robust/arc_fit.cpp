@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/robust/arc_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +8,11 @@ namespace scanbed {
 namespace {
 
 constexpr int kMaxSteps = 6;
-constexpr double kEnoughGain = 0.1;  // of chi squared in a step: less changes no decision
+constexpr double kEnoughGain = 0.1;    // of chi squared in a step: less changes no decision
+constexpr double kTrustedGain = 0.03;  // a step that promises so little keeps its promise
+// Where a step promises to leave more than so many times what may be left, an arc hardly ever comes of it:
+// not even of one with mixed pixels at its ends, which the next fit does without.
+constexpr double kHopelessExcess = 2.0;
 constexpr double kMinRadius_m = 0.02;
 constexpr double kMaxRadius_m = 3.0;
 constexpr double kMinSlant2 = 0.36;
@@ -18,19 +21,45 @@ constexpr double kSilhouetteSpacings = 0.3;
 
 using Lanes = Eigen::Array2d;  // two echoes at a time
 
+/// Of (x, y, radius); what a symmetric matrix would hold twice is held once.
 struct NormalEquations {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double xx = 0.0, xy = 0.0, yy = 0.0, xr = 0.0, yr = 0.0, rr = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   double chi2 = 0.0;
 
   void add(double residual, const Eigen::Vector3d& jacobian) {
-    information.noalias() += jacobian * jacobian.transpose();
+    xx += jacobian.x() * jacobian.x();
+    xy += jacobian.x() * jacobian.y();
+    yy += jacobian.y() * jacobian.y();
+    xr += jacobian.x() * jacobian.z();
+    yr += jacobian.y() * jacobian.z();
+    rr += jacobian.z() * jacobian.z();
     gradient += residual * jacobian;
     chi2 += residual * residual;
   }
+
+  Eigen::Matrix3d information() const {
+    Eigen::Matrix3d matrix;
+    matrix << xx, xy, xr, xy, yy, yr, xr, yr, rr;
+    return matrix;
+  }
+
+  // The same damping for x and y, so that a turned scan takes turned steps.
+  Eigen::Vector3d step(double damping) const {
+    const double more = damping * 0.5 * (xx + yy);
+    const double a = xx + more;
+    const double b = yy + more;
+    const double c = rr + damping * rr;
+    // By the adjugate, which is symmetric too.
+    const Eigen::Vector3d x(b * c - yr * yr, xr * yr - xy * c, xy * yr - b * xr);
+    const Eigen::Vector3d y(x.y(), a * c - xr * xr, xy * xr - a * yr);
+    const Eigen::Vector3d r(x.z(), y.z(), a * b - xy * xy);
+    const double determinant = a * x.x() + xy * x.y() + xr * x.z();
+    return -(x * gradient.x() + y * gradient.y() + r * gradient.z()) / determinant;
+  }
 };
 
-/// The normal equations of the echoes; what the matrix would hold twice is added once.
+/// The normal equations of the echoes.
 struct EchoTerms {
   Lanes xx = Lanes::Zero(), xy = Lanes::Zero(), yy = Lanes::Zero(), x = Lanes::Zero(), y = Lanes::Zero();
   Lanes w = Lanes::Zero(), xe = Lanes::Zero(), ye = Lanes::Zero(), e = Lanes::Zero(), ee = Lanes::Zero();
@@ -65,9 +94,7 @@ struct EchoTerms {
   }
 
   NormalEquations sum() const {
-    NormalEquations equations;
-    equations.information << xx.sum(), xy.sum(), -x.sum(), xy.sum(), yy.sum(), -y.sum(), -x.sum(), -y.sum(),
-        w.sum();
+    NormalEquations equations{xx.sum(), xy.sum(), yy.sum(), -x.sum(), -y.sum(), w.sum()};
     equations.gradient << xe.sum(), ye.sum(), -e.sum();
     equations.chi2 = ee.sum();
     return equations;
@@ -102,19 +129,14 @@ void add_silhouette(const Echoes& echoes, std::span<const Witness> witnesses, co
   }
 }
 
-NormalEquations linearize(const Echoes& echoes, std::span<const Stretch> parts,
-                          std::span<const Witness> witnesses, const Eigen::Vector3d& arc) {
-  NormalEquations sum = terms_of(echoes, parts, arc).sum();
-  if (!witnesses.empty()) add_silhouette(echoes, witnesses, arc, sum);
+NormalEquations linearize(const Echoes& echoes, const ArcEvidence& evidence, const Eigen::Vector3d& arc) {
+  NormalEquations sum = terms_of(echoes, evidence.parts, arc).sum();
+  if (!evidence.witnesses.empty()) add_silhouette(echoes, evidence.witnesses, arc, sum);
   return sum;
 }
 
-Eigen::Vector3d step_of(const NormalEquations& equations, double damping) {
-  Eigen::Matrix3d damped = equations.information;
-  // The same for x and y, so that a turned scan takes turned steps.
-  const double place_information = 0.5 * (damped(0, 0) + damped(1, 1));
-  damped.diagonal() += damping * Eigen::Vector3d(place_information, place_information, damped(2, 2));
-  return -(damped.inverse() * equations.gradient);
+bool is_possible(const Eigen::Vector3d& arc) {
+  return arc.allFinite() && arc.z() > kMinRadius_m / 2;
 }
 
 bool is_plausible(const Eigen::Vector3d& arc) {
@@ -132,6 +154,10 @@ bool faces_sensor(const Echoes& echoes, std::span<const Stretch> parts, const Ei
   return (echoes.point_m(middle) - arc.head<2>()).dot(arc.head<2>()) < 0.0;
 }
 
+bool is_arc_of(const Echoes& echoes, std::span<const Stretch> parts, const Eigen::Vector3d& arc) {
+  return is_plausible(arc) && faces_sensor(echoes, parts, arc);
+}
+
 }  // namespace
 
 double ArcFit::squared_residual(const Echoes& echoes, int k) const {
@@ -144,19 +170,27 @@ double ArcFit::squared_residual(const Echoes& echoes, int k) const {
   return error_m * error_m * echoes.weight_per_m2[k] * radius2 / facing2;
 }
 
-std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> parts,
-                              std::span<const Witness> witnesses, const Cylinder& start) {
+std::optional<ArcFit> fit_arc(const Echoes& echoes, const ArcEvidence& evidence, const Cylinder& start,
+                              double most_chi2) {
   Eigen::Vector3d arc(start.center_m.x(), start.center_m.y(),
                       std::clamp(start.radius_m, 2.0 * kMinRadius_m, 0.9 * kMaxRadius_m));
-  NormalEquations equations = linearize(echoes, parts, witnesses, arc);
+  NormalEquations equations = linearize(echoes, evidence, arc);
   double damping = 1e-3;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    const Eigen::Vector3d candidate = arc + step_of(equations, damping);
-    if (!candidate.allFinite() || candidate.z() <= kMinRadius_m / 2) {
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Eigen::Vector3d step = equations.step(damping);
+    const Eigen::Vector3d candidate = arc + step;
+    if (!is_possible(candidate)) {
       damping *= 10.0;
       continue;
     }
-    const NormalEquations next = linearize(echoes, parts, witnesses, candidate);
+    const double promised_gain = -equations.gradient.dot(step);
+    if (equations.chi2 - promised_gain > kHopelessExcess * most_chi2) return std::nullopt;
+    if (promised_gain < kTrustedGain) {
+      arc = candidate;
+      equations.chi2 = std::max(0.0, equations.chi2 - promised_gain);
+      break;
+    }
+    const NormalEquations next = linearize(echoes, evidence, candidate);
     const double gain = equations.chi2 - next.chi2;
     if (!(gain >= 0.0)) {
       // The weights move with the cylinder, so that at its least chi squared a step may lose a little.
@@ -169,8 +203,8 @@ std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> par
     damping *= 0.2;
     if (gain < kEnoughGain) break;
   }
-  if (!is_plausible(arc) || !faces_sensor(echoes, parts, arc)) return std::nullopt;
-  return ArcFit{{arc.head<2>(), arc.z()}, equations.chi2, equations.information};
+  if (!is_arc_of(echoes, evidence.parts, arc)) return std::nullopt;
+  return ArcFit{{arc.head<2>(), arc.z()}, equations.chi2, equations.information()};
 }
 
 }  // namespace scanbed

@@ -32,14 +32,20 @@ struct ArcFit {
   double squared_residual(const Echoes& echoes, int k) const;
 };
 
+/// What an arc is fitted to.
+struct ArcEvidence {
+  std::span<const Stretch> parts;      ///< stretches of echoes, at least 3 echoes in all
+  std::span<const Witness> witnesses;  ///< beams that must miss the cylinder
+};
+
 /// Fits a cylinder to echoes, by damped Gauss-Newton on geometric distances.
 ///
 /// A few noisy beams leave the radius open; what fixes it is the silhouette: the witnesses must miss the
 /// cylinder.
-/// @param parts  stretches of echoes, at least 3 echoes in all.
-/// @param start  a fit of nearly the same echoes, or by simpler means.
+/// @param start      a fit of nearly the same echoes, or by simpler means.
+/// @param most_chi2  fits that promise to leave far more are given up early.
 /// @returns empty where no cylinder in front of which the echoes lie can be fitted.
-std::optional<ArcFit> fit_arc(const Echoes& echoes, std::span<const Stretch> parts,
-                              std::span<const Witness> witnesses, const Cylinder& start);
+std::optional<ArcFit> fit_arc(const Echoes& echoes, const ArcEvidence& evidence, const Cylinder& start,
+                              double most_chi2);
 
 }  // namespace scanbed

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <limits>
 
 #include "core/detect/robust/arc_moments.hpp"
 #include "tests/support/ideal_scene.hpp"
@@ -14,6 +15,8 @@ namespace {
 using testing::IdealScene;
 using testing::with_noise;
 
+constexpr double kAnyChi2 = std::numeric_limits<double>::infinity();
+
 std::optional<ArcFit> fit_all(const LaserScan& scan, std::span<const Witness> witnesses = {}) {
   Echoes echoes;
   EchoReader().read(scan, {}, echoes);
@@ -22,7 +25,7 @@ std::optional<ArcFit> fit_all(const LaserScan& scan, std::span<const Witness> wi
   moments.begin(echoes);
   const auto start = moments.arc(all);
   if (!start) return std::nullopt;
-  return fit_arc(echoes, std::span(&all, 1), witnesses, start->cylinder);
+  return fit_arc(echoes, {std::span(&all, 1), witnesses}, start->cylinder, kAnyChi2);
 }
 
 LaserScan column_scan(double range_m, double radius_m) {
@@ -84,7 +87,7 @@ TEST(ArcFitTest, AHollowHasNoArcEvenFromAStartBeforeIt) {
   Echoes echoes;
   EchoReader().read(hollow, {}, echoes);
   const Stretch all{0, echoes.size() - 1};
-  EXPECT_FALSE(fit_arc(echoes, std::span(&all, 1), {}, {{0.3, 0.0}, 1.7}));
+  EXPECT_FALSE(fit_arc(echoes, {std::span(&all, 1), {}}, {{0.3, 0.0}, 1.7}, kAnyChi2));
 }
 
 TEST(ArcFitTest, TwoPartsOfAColumnAreFittedAsOne) {
@@ -94,10 +97,41 @@ TEST(ArcFitTest, TwoPartsOfAColumnAreFittedAsOne) {
   ASSERT_GE(last, 9);
   for (const Stretch& hidden : {Stretch{4, 6}, Stretch{5, 5}}) {  // even and odd numbers of echoes
     const Stretch parts[] = {{0, hidden.first - 1}, {hidden.last + 1, last}};
-    const auto fit = fit_arc(echoes, parts, {}, {{2.9, 0.1}, 0.2});
+    const auto fit = fit_arc(echoes, {parts, {}}, {{2.9, 0.1}, 0.2}, kAnyChi2);
     ASSERT_TRUE(fit);
     EXPECT_NEAR((fit->cylinder.center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 1e-4);
     EXPECT_NEAR(fit->cylinder.radius_m, 0.3, 1e-4);
+  }
+}
+
+TEST(ArcFitTest, WhatLeavesFarTooMuchIsGivenUp) {
+  IdealScene scene;  // no column, but something round enough to fit one: a post of four sides
+  scene.wall({2.0, 0.3}, {1.7, 0.0});
+  scene.wall({1.7, 0.0}, {2.0, -0.3});
+  Echoes echoes;
+  EchoReader().read(with_noise(scene.scan(), 0.003, 1), {}, echoes);
+  const Stretch all{0, echoes.size() - 1};
+  const Cylinder start{{2.1, 0.0}, 0.4};
+  const auto fit = fit_arc(echoes, {std::span(&all, 1), {}}, start, kAnyChi2);
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit_arc(echoes, {std::span(&all, 1), {}}, start, 0.1 * fit->chi2));
+  // As long as what it leaves is not too much, the fit is the same.
+  const auto enough = fit_arc(echoes, {std::span(&all, 1), {}}, start, fit->chi2);
+  ASSERT_TRUE(enough);
+  EXPECT_EQ(enough->chi2, fit->chi2);
+}
+
+TEST(ArcFitTest, ChiSquaredIsThatOfItsResiduals) {
+  // The last step is taken at its word: 0.1 is what it may promise at most.
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    Echoes echoes;
+    EchoReader().read(with_noise(column_scan(3.0, 0.25), 0.008, seed), {}, echoes);
+    const Stretch all{0, echoes.size() - 1};
+    const auto fit = fit_arc(echoes, {std::span(&all, 1), {}}, {{2.95, 0.05}, 0.3}, kAnyChi2);
+    ASSERT_TRUE(fit);
+    double chi2 = 0.0;
+    for (int k = 0; k < echoes.size(); ++k) chi2 += fit->squared_residual(echoes, k);
+    EXPECT_NEAR(fit->chi2, chi2, 0.1);
   }
 }
 
