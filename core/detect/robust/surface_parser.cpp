@@ -48,7 +48,7 @@ void SurfaceParser::explain(Stretch surface) {
                       .first_arc = static_cast<int>(arcs_.size())};
   line_splitter_.append_pieces(surface, pieces_);
   explained.num_pieces = static_cast<int>(pieces_.size()) - explained.first_piece;
-  if (surface.size() >= kMinSurfaceEchoes) {
+  if (surface.size() >= std::max(kMinSurfaceEchoes, options_->circle.min_points)) {
     arc_finder_.find(surface, pieces_of(explained), arcs_);
   }
   explained.num_arcs = static_cast<int>(arcs_.size()) - explained.first_arc;
