@@ -6,7 +6,7 @@
 
 #include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
-#include "core/simd/lanes.hpp"
+#include "core/simd/float_lanes.hpp"
 
 namespace scanbed {
 

@@ -8,8 +8,8 @@
 
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
+#include "core/simd/float_lanes.hpp"
 #include "core/simd/instruction_set.hpp"
-#include "core/simd/lanes.hpp"
 
 namespace scanbed {
 

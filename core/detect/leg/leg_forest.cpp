@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/simd/lanes.hpp"
+#include "core/simd/float_lanes.hpp"
 
 #if defined(SCANBED_HAS_AVX2)
 #include <immintrin.h>

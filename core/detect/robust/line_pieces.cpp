@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/detect/robust/lanes.hpp"
+#include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
-#include "core/detect/robust/lanes.hpp"
 #include "core/detect/robust/surface_runs.hpp"
+#include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
 
