@@ -70,20 +70,17 @@ LegRate tracked_at(const std::filesystem::path& nobody, const Trial& trial, doub
   return rate;
 }
 
-// Legs that are reported by their scores: people from one of the forests, none of which saw them, and false
-// ones from each part of nobody.log.
-ScoreBins score_bins(const std::filesystem::path& nobody, const Trial& trial, int num_scans) {
+// Legs that are reported by their scores: people, and what is false in one part of nobody.log, by the forest
+// that saw neither.
+ScoreBins score_bins(const std::filesystem::path& nobody, const Trial& trial, int part, int num_scans) {
   // Labels of fewer than 3 points need not be found, but who finds one is right.
   std::filesystem::path labels = trial.log;
   labels.replace_extension(".legs.jsonl");
-  const LegForest of_people = trial.forests[0].view();
-  ScoreBins bins = binned_legs(trial.log, read_leg_labels(labels, 1), of_people);
+  const LegForest forest = trial.forests[part].view();
+  ScoreBins bins = binned_legs(trial.log, read_leg_labels(labels, 1), forest);
   const double min_score = robust_options().leg.min_score;
-  for (int part = 0; part < kNumNobodyParts; ++part) {
-    const LegForest forest = trial.forests[part].view();
-    for (const ScoredLeg& leg : scored_legs(nobody, detector_of(min_score), forest)) {
-      if (leg.scan * kNumNobodyParts / num_scans == part) bins.add(leg.score, false);
-    }
+  for (const ScoredLeg& leg : scored_legs(nobody, detector_of(min_score), forest)) {
+    if (leg.scan * kNumNobodyParts / num_scans == part) bins.add(leg.score, false);
   }
   return bins;
 }
@@ -92,7 +89,7 @@ HeldOutLegs measure(const std::filesystem::path& nobody, const Trial& trial,
                     const std::vector<double>& track_scores) {
   const int num_scans = legs_in_recording(nobody, {}, robust_options(), trained_leg_forest()).num_scans;
   const std::vector<double> scores = false_scores(nobody, trial, num_scans);
-  HeldOutLegs result;
+  HeldOutLegs result{.num_empty_scans = num_scans};
   for (const double rate : kRates) {
     const auto allowed = static_cast<std::size_t>(rate * num_scans);
     // Just above the score that would be one too many.
@@ -106,7 +103,6 @@ HeldOutLegs measure(const std::filesystem::path& nobody, const Trial& trial,
   for (const double track_score : track_scores) {
     result.tracked.push_back(tracked_at(nobody, trial, track_score, num_scans));
   }
-  result.scores = score_bins(nobody, trial, num_scans);
   return result;
 }
 
@@ -126,6 +122,9 @@ std::vector<HeldOutLegs> held_out_legs(const std::filesystem::path& data,
       trial.forests.back().offset = trained_leg_forest().offset;
     }
     results.push_back(measure(data / "nobody.log", trial, track_scores));
+    // Each part of nobody.log counts once over both recordings.
+    const int num_scans = results.back().num_empty_scans;
+    results.back().scores = score_bins(data / "nobody.log", trial, first ? 0 : 1, num_scans);
   }
   return results;
 }

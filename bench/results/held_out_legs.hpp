@@ -19,7 +19,8 @@ struct HeldOutLegs {
   std::vector<LegRate> single_scan;  ///< at 0.3, 0.5, 1 and 2 false legs a scan
   LegRate at_default;                ///< at the preset's least score
   std::vector<LegRate> tracked;      ///< one for each of the least track scores asked for
-  ScoreBins scores;                  ///< of the recording's legs, and of false ones in nobody.log
+  ScoreBins scores;                  ///< of the recording's legs, and of false ones in one part of nobody.log
+  int num_empty_scans = 0;           ///< in nobody.log
 };
 
 /// Trains forests for legs_pos1 and legs_pos2, none of which saw the recording that it is asked about, and

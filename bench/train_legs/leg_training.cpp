@@ -200,7 +200,6 @@ OwnedLegForest train_detector(const LegCorpus& corpus) {
       std::copy_if(corpus.nobody.begin(), corpus.nobody.end(), std::back_inserter(nobody),
                    [&](const LegSample& s) { return nobody_part(corpus, s) == part; });
       judge(forest, nobody, judged);
-      judge(forest, corpus.unseen, judged);
     }
   }
   OwnedLegForest forest = train_legs(corpus, {});

@@ -11,12 +11,13 @@
 
 namespace scanbed::bench {
 
-/// All candidates to learn from and to calibrate on.
+/// All candidates to learn from. Recordings calibrate, too: how frequent legs are in simulated worlds says
+/// nothing about other places.
 struct LegCorpus {
   std::vector<LegSample> pos1, pos2;  ///< people in an unchanging place
   std::vector<LegSample> nobody;      ///< a drive past furniture
   std::vector<LegSample> simulated;
-  std::vector<LegSample> unseen;  ///< simulated too, for calibration alone
+  std::vector<LegSample> unseen;  ///< simulated too; says what may be given up early
 };
 
 inline constexpr int kNumTrainingWorlds = 3000;

@@ -97,7 +97,7 @@ inline DetectorOptions robust_options() {
   options.circle.min_length_m = 0.0;
   options.line.min_length_m = 0.2;
   options.leg.scorer = LegScorer::kForest;
-  options.leg.min_score = 0.4;
+  options.leg.min_score = 0.3;
   return options;
 }
 

@@ -610,14 +610,14 @@ constexpr LegTree kTrees[] = {
 };
 
 constexpr LegForest::Checkpoint kCheckpoints[] = {
-  {60, -2.67765594F},
-  {120, -2.22750211F},
+  {60, -2.42314029F},
+  {120, -1.82261610F},
 };
 
 }  // namespace
 
 const LegForest& trained_leg_forest() {
-  static constexpr LegForest kForest{kTrees, kCheckpoints, 60, 1.0263751190003283, -2.0316868749179040};
+  static constexpr LegForest kForest{kTrees, kCheckpoints, 60, 0.99468385381317104, -2.3900150723043150};
   return kForest;
 }
 
