@@ -117,9 +117,8 @@ std::string right_of(const Share& share) {
 // Scores are probabilities where the shares are about the scores.
 void print_score_bins(const ScoreBins& recorded, const ScoreBins& simulated) {
   std::printf(
-      "\n| `robust`: score of a leg | share that are legs (95 %% interval): recordings, by forests that had "
-      "not "
-      "seen them | simulated worlds |\n|---|---|---|\n");
+      "\n| `robust`: score of a leg | share that are legs (95 %% interval): recordings, by forests that "
+      "had not seen them | simulated worlds |\n|---|---|---|\n");
   for (int bin = 0; bin < kNumScoreBins; ++bin) {
     if (recorded[bin].whole + simulated[bin].whole == 0) continue;
     std::printf("| %.1f to %.1f | %s | %s |\n", 0.1 * bin, 0.1 * (bin + 1), right_of(recorded[bin]).c_str(),

@@ -7,21 +7,21 @@ namespace scanbed {
 
 /// Two doubles that are worked on at a time, by the compilers' vector extension: a comparison gives a mask by
 /// which `?:` chooses lane by lane, without a jump.
-using Lanes [[gnu::vector_size(16)]] = double;
+using Doubles [[gnu::vector_size(16)]] = double;
 
-inline Lanes both_lanes(double value) {
-  return Lanes{value, value};
+inline Doubles both_lanes(double value) {
+  return Doubles{value, value};
 }
 
 /// Two neighbouring values; they need not be aligned.
-inline Lanes lanes_at(const double* first) {
-  Lanes lanes;
+inline Doubles lanes_at(const double* first) {
+  Doubles lanes;
   std::memcpy(&lanes, first, sizeof lanes);
   return lanes;
 }
 
-inline Lanes swapped(Lanes lanes) {
-  return Lanes{lanes[1], lanes[0]};
+inline Doubles swapped(Doubles lanes) {
+  return Doubles{lanes[1], lanes[0]};
 }
 
 }  // namespace scanbed

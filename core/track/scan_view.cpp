@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/features.hpp"
 #include "core/geometry/polar.hpp"
 
 namespace scanbed {
 namespace {
 
-/// Beams from first to last; none where last < first.
-struct BeamRange {
-  int first = 0;
-  int last = -1;
-};
-
-// The scan's beams within an angle to either side of the way to p.
-BeamRange beams_towards(const LaserScan& scan, const Eigen::Vector2d& p_m, double half_width_rad) {
+// The scan's beams within an angle to either side of the way to p; none where last < first.
+BeamSpan beams_towards(const LaserScan& scan, const Eigen::Vector2d& p_m, double half_width_rad) {
   const double step_rad = scan.geometry.step_rad;
   const double turn = 2.0 * kPi / std::abs(step_rad);
   const double unwrapped = (std::atan2(p_m.y(), p_m.x()) - scan.geometry.first_rad) / step_rad;
@@ -43,7 +38,7 @@ PlaceView view_of(const LaserScan& scan, const Eigen::Vector2d& p_m, double radi
   if (!can_be_seen(scan, p_m, radius_m)) return PlaceView::kOutOfView;
   const double distance_m = p_m.norm();
   // Half the disc is enough: its rim is where other things begin.
-  const BeamRange beams = beams_towards(scan, p_m, 0.5 * std::asin(std::min(1.0, radius_m / distance_m)));
+  const BeamSpan beams = beams_towards(scan, p_m, 0.5 * std::asin(std::min(1.0, radius_m / distance_m)));
   Counts counts;
   for (int beam = beams.first; beam <= beams.last; ++beam) {
     const double range_m = scan.range_m[beam];
@@ -59,7 +54,7 @@ PlaceView view_of(const LaserScan& scan, const Eigen::Vector2d& p_m, double radi
 
 int num_echoes_near(const LaserScan& scan, const Eigen::Vector2d& p_m, double radius_m) {
   if (!can_be_seen(scan, p_m, radius_m)) return 0;
-  const BeamRange beams = beams_towards(scan, p_m, std::asin(std::min(1.0, radius_m / p_m.norm())));
+  const BeamSpan beams = beams_towards(scan, p_m, std::asin(std::min(1.0, radius_m / p_m.norm())));
   int num_echoes = 0;
   for (int beam = beams.first; beam <= beams.last; ++beam) {
     if (!scan.has_echo(beam)) continue;

@@ -4,7 +4,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "bench/support/bench_scans.hpp"
 
@@ -28,15 +31,34 @@ DetectorOptions options_for(const Parts& parts, DetectorOptions options = paper_
   return options;
 }
 
+// Calls `run` and keeps how long it took.
+template <typename Run>
+void time_one(std::vector<double>& times_us, const Run& run) {
+  const auto begin = std::chrono::steady_clock::now();
+  run();
+  times_us.push_back(
+      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 // One iteration detects in one scan; scans take turns.
 void detect_in_turn(benchmark::State& state, const std::vector<LaserScan>& scans,
                     const DetectorOptions& options) {
   FeatureDetector detector(options);
   std::size_t i = 0;
+  std::vector<double> times_us;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(&detector.detect(scans[i]));
+    time_one(times_us, [&] { benchmark::DoNotOptimize(&detector.detect(scans[i])); });
     if (++i == scans.size()) i = 0;
   }
+  state.counters["median_us"] = quantile(times_us, 0.5);
+  state.counters["p99_us"] = quantile(times_us, 0.99);
   state.SetItemsProcessed(state.iterations());
 }
 
@@ -73,21 +95,16 @@ void lines_by_number_of_corners(benchmark::State& state) {
 }
 BENCHMARK(lines_by_number_of_corners)->RangeMultiplier(2)->Range(2, 32);
 
-void robust_shapes_by_number_of_beams(benchmark::State& state) {
-  const Parts shapes{.name = "shapes", .lines = true, .circles = true};
+void robust_by_number_of_beams(benchmark::State& state, bool legs) {
+  const Parts parts{.name = "by_number_of_beams", .lines = true, .circles = true, .legs = legs};
   const auto num_beams = static_cast<int>(state.range(0));
-  detect_in_turn(state, bench::hall_scans(num_beams), options_for(shapes, robust_options()));
+  detect_in_turn(state, bench::hall_scans(num_beams), options_for(parts, robust_options()));
   state.counters["beams"] =
       benchmark::Counter(static_cast<double>(state.iterations()) * num_beams, benchmark::Counter::kIsRate);
 }
-BENCHMARK(robust_shapes_by_number_of_beams)
-    ->Arg(181)
-    ->Arg(361)
-    ->Arg(721)
-    ->Arg(1081)
-    ->Arg(1441)
-    ->Arg(2881)
-    ->Arg(5761);
+constexpr std::initializer_list<std::int64_t> kNumBeams = {181, 361, 721, 1081, 1441, 2881, 5761};
+BENCHMARK_CAPTURE(robust_by_number_of_beams, shapes, false)->ArgsProduct({kNumBeams});
+BENCHMARK_CAPTURE(robust_by_number_of_beams, all, true)->ArgsProduct({kNumBeams});
 
 void register_recorded(const std::vector<bench::BenchScans>& sets) {
   static const Parts kParts[] = {

@@ -23,14 +23,6 @@ constexpr float kFar_m2 = 1e6F;         // beyond all reaches
 constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape too
 constexpr float kMaxRunWidth_m = 5.0F;
 
-constexpr std::array<std::string_view, kNumLegFeatures> kNames = {
-    "num_points",     "width",           "filled",        "range",         "near_30",      "near_50",
-    "near_100",       "near_wall_100",   "nearest",       "nearest_wall",  "num_small",    "nearest_small",
-    "small_width",    "circle_residual", "circle_radius", "line_residual", "bow",          "inscribed",
-    "tilt",           "range_std",       "step",          "fine_width",    "middle_width", "coarse_width",
-    "least_jump",     "largest_jump",    "open_25",       "open_60",       "hidden",       "nearest_beside",
-    "nearest_behind", "partner_35",      "partner_80",    "rival"};
-
 float& at(std::array<float, kNumLegFeatures>& values, LegFeature feature) {
   return values[static_cast<std::size_t>(feature)];
 }
@@ -142,11 +134,6 @@ float jump_m(const LegBeams& beams, int beam, double range_m) {
   return std::clamp(beams.range_m[beam] - static_cast<float>(range_m), -kMaxJump_m, kMaxJump_m);
 }
 
-struct BeamRange {
-  int begin = 0;
-  int end = 0;
-};
-
 /// A scan's points around a candidate's centroid.
 struct Surroundings {
   const float* x_m;
@@ -171,18 +158,18 @@ struct BesideBeams {
 
 constexpr Ints kLane{0, 1, 2, 3, 4, 5, 6, 7};
 
-[[gnu::always_inline]] inline void count_near_in(const Surroundings& around, const BeamRange& beams,
+[[gnu::always_inline]] inline void count_near_in(const Surroundings& around, const BeamSpan& beams,
                                                  NearEchoes& total) {
   NearEchoes near = total;
   Floats x, y, off_wall;
   const Floats none{};
-  for (int begin = beams.begin; begin < beams.end; begin += kNumLanes) {
+  for (int begin = beams.first; begin <= beams.last; begin += kNumLanes) {
     load(around.x_m + begin, x);
     load(around.y_m + begin, y);
     load(around.off_wall_m2 + begin, off_wall);
     const Floats dx = x - around.center_x_m;
     const Floats dy = y - around.center_y_m;
-    const Floats d2 = dx * dx + dy * dy + (kLane < beams.end - begin ? none : none + kFar_m2);
+    const Floats d2 = dx * dx + dy * dy + (kLane <= beams.last - begin ? none : none + kFar_m2);
     const Floats wall2 = d2 + off_wall;
     near.within30 -= d2 < 0.09F;
     near.within50 -= d2 < 0.25F;
@@ -194,14 +181,14 @@ constexpr Ints kLane{0, 1, 2, 3, 4, 5, 6, 7};
   total = near;
 }
 
-[[gnu::always_inline]] inline void look_beside_in(const float* ranges_m, float own_m, const BeamRange& beams,
+[[gnu::always_inline]] inline void look_beside_in(const float* ranges_m, float own_m, const BeamSpan& beams,
                                                   BesideBeams& total) {
   BesideBeams beside = total;
   Floats range_m;
   const Floats most = Floats{} + kMaxJump_m;
-  for (int begin = beams.begin; begin < beams.end; begin += kNumLanes) {
+  for (int begin = beams.first; begin <= beams.last; begin += kNumLanes) {
     load(ranges_m + begin, range_m);
-    const Ints in = kLane < beams.end - begin;
+    const Ints in = kLane <= beams.last - begin;
     const Floats farther = range_m - own_m;
     beside.open25 -= (farther > 0.25F) & in;
     beside.open60 -= (farther > 0.6F) & in;
@@ -214,24 +201,24 @@ constexpr Ints kLane{0, 1, 2, 3, 4, 5, 6, 7};
 }
 
 #if defined(SCANBED_HAS_AVX2)
-SCANBED_AVX2 void count_near_avx2(const Surroundings& around, const BeamRange& beams, NearEchoes& near) {
+SCANBED_AVX2 void count_near_avx2(const Surroundings& around, const BeamSpan& beams, NearEchoes& near) {
   count_near_in(around, beams, near);
 }
 
-SCANBED_AVX2 void look_beside_avx2(const float* ranges_m, float own_m, const BeamRange& beams,
+SCANBED_AVX2 void look_beside_avx2(const float* ranges_m, float own_m, const BeamSpan& beams,
                                    BesideBeams& beside) {
   look_beside_in(ranges_m, own_m, beams, beside);
 }
 #endif
 
-void count_near(InstructionSet set, const Surroundings& around, const BeamRange& beams, NearEchoes& near) {
+void count_near(InstructionSet set, const Surroundings& around, const BeamSpan& beams, NearEchoes& near) {
 #if defined(SCANBED_HAS_AVX2)
   if (set == InstructionSet::kAvx2) return count_near_avx2(around, beams, near);
 #endif
   count_near_in(around, beams, near);
 }
 
-void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamRange& beams,
+void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamSpan& beams,
                  BesideBeams& beside) {
 #if defined(SCANBED_HAS_AVX2)
   if (set == InstructionSet::kAvx2) return look_beside_avx2(ranges_m, own_m, beams, beside);
@@ -247,10 +234,6 @@ double greatest_half_view_rad(float reach_m, float distance_m) {
 }
 
 }  // namespace
-
-std::string_view name_of(LegFeature feature) {
-  return kNames[static_cast<std::size_t>(feature)];
-}
 
 Eigen::Vector2d centroid_m(const LegBeams& beams, const EchoRun& run) {
   const Moments m = means_of(beams, run);
@@ -342,8 +325,8 @@ void LegFeatureReader::read_near(const LegBeams& beams, const EchoRun& run, Valu
   const int half = static_cast<int>(std::min(half_rad / beams.step_rad + 2.0, 1.0 * beams.num_beams));
   const Surroundings around{beams.x_m.data(), beams.y_m.data(), off_wall_m2_.data(), x_m_, y_m_};
   NearEchoes near;
-  count_near(instructions_, around, {std::max(0, own_first - half), own_first}, near);
-  count_near(instructions_, around, {own_last + 1, std::min(beams.num_beams, own_last + half + 1)}, near);
+  count_near(instructions_, around, {std::max(0, own_first - half), own_first - 1}, near);
+  count_near(instructions_, around, {own_last + 1, std::min(beams.num_beams - 1, own_last + half)}, near);
   at(values, LegFeature::kNear30) = static_cast<float>(sum_of(near.within30)) * spacing_m_;
   at(values, LegFeature::kNear50) = static_cast<float>(sum_of(near.within50)) * spacing_m_;
   at(values, LegFeature::kNear100) = static_cast<float>(sum_of(near.within100)) * spacing_m_;
@@ -360,8 +343,8 @@ void LegFeatureReader::read_beside(const LegBeams& beams, const EchoRun& run, Va
   const int first = std::max(0, own_first - half);
   const int last = std::min(beams.num_beams - 1, own_last + half);
   BesideBeams beside;
-  look_beside(instructions_, beams.range_m.data(), range_m_, {first, own_first}, beside);
-  look_beside(instructions_, beams.range_m.data(), range_m_, {own_last + 1, last + 1}, beside);
+  look_beside(instructions_, beams.range_m.data(), range_m_, {first, own_first - 1}, beside);
+  look_beside(instructions_, beams.range_m.data(), range_m_, {own_last + 1, last}, beside);
   const int in_view = (own_first - first) + (last - own_last);
   const float each = in_view > 0 ? 1.0F / static_cast<float>(in_view) : 0.0F;
   const float unknown = in_view > 0 ? 0.0F : 0.5F;
@@ -395,7 +378,7 @@ void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidat
       at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
     }
     for (int f = 0; f < kNumOwnLegFeatures; ++f) table.at(f, c) = values[f];
-    places_.push_back({beams.beam[run.first], beams.beam[run.last], x_m_, y_m_});
+    places_.push_back({{beams.beam[run.first], beams.beam[run.last]}, x_m_, y_m_});
   }
 }
 

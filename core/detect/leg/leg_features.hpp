@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string_view>
 #include <vector>
 
+#include "core/detect/features.hpp"
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
 #include "core/simd/float_lanes.hpp"
@@ -58,13 +58,9 @@ inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
 /// What is measured of each candidate by itself stands before what others add.
 inline constexpr int kNumOwnLegFeatures = static_cast<int>(LegFeature::kPartner35);
 
-/// Name of a feature in training files.
-std::string_view name_of(LegFeature feature);
-
-/// Where a candidate is: its beams, both ends included, and its centroid in the sensor frame S.
+/// Where a candidate is: its beams, and its centroid in the sensor frame S.
 struct LegPlace {
-  int first = 0;
-  int last = 0;
+  BeamSpan beams;
   float x_m = 0.0F;
   float y_m = 0.0F;
 };

@@ -25,8 +25,8 @@ struct Partners {
     load(likely.x_m.data() + i, x_m);
     load(likely.y_m.data() + i, y_m);
     load(likely.sum.data() + i, sum);
-    const Ints overlaps = (first <= own.last) & (last >= own.first);
-    const Ints is_own = (first == own.first) & (last == own.last);
+    const Ints overlaps = (first <= own.beams.last) & (last >= own.beams.first);
+    const Ints is_own = (first == own.beams.first) & (last == own.beams.last);
     const Floats dx_m = x_m - own.x_m;
     const Floats dy_m = y_m - own.y_m;
     const Floats distance_m2 = dx_m * dx_m + dy_m * dy_m;
@@ -59,8 +59,8 @@ void LegPartnerReader::gather(std::span<const LegPlace> places, std::span<const 
   likely_.last.clear();
   for (std::vector<float>* values : {&likely_.x_m, &likely_.y_m, &likely_.sum}) values->clear();
   const auto add = [&](const LegPlace& place, float sum) {
-    likely_.first.push_back(place.first);
-    likely_.last.push_back(place.last);
+    likely_.first.push_back(place.beams.first);
+    likely_.last.push_back(place.beams.last);
     likely_.x_m.push_back(place.x_m);
     likely_.y_m.push_back(place.y_m);
     likely_.sum.push_back(sum);

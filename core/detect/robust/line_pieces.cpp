@@ -30,16 +30,16 @@ class EchoChord {
 
   /// The farthest of some places, kNumSamples from the first on in steps.
   int farthest(int first, int step) const {
-    Lanes place = both_lanes(first);
-    Lanes most = both_lanes(-1.0);
+    Doubles place = both_lanes(first);
+    Doubles most = both_lanes(-1.0);
     for (int i = 0; i < kNumSamples; i += 2) {
       const int a = std::min(first + i * step, last_);
       const int b = std::min(a + step, last_);
-      const Lanes off_m2 =
-          along_x_m_ * Lanes{y_m_[a], y_m_[b]} - along_y_m_ * Lanes{x_m_[a], x_m_[b]} - offset_m2_;
-      const Lanes off_m4 = off_m2 * off_m2;
+      const Doubles off_m2 =
+          along_x_m_ * Doubles{y_m_[a], y_m_[b]} - along_y_m_ * Doubles{x_m_[a], x_m_[b]} - offset_m2_;
+      const Doubles off_m4 = off_m2 * off_m2;
       const auto is_farther = off_m4 > most;
-      place = is_farther ? Lanes{1.0 * a, 1.0 * b} : place;
+      place = is_farther ? Doubles{1.0 * a, 1.0 * b} : place;
       most = is_farther ? off_m4 : most;
     }
     place = swapped(most) > most ? swapped(place) : place;
@@ -50,9 +50,9 @@ class EchoChord {
   const double* x_m_;
   const double* y_m_;
   int last_;
-  Lanes along_x_m_;
-  Lanes along_y_m_;
-  Lanes offset_m2_;
+  Doubles along_x_m_;
+  Doubles along_y_m_;
+  Doubles offset_m2_;
 };
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace {
 
 /// Cuts of two lanes.
 struct LaneCuts {
-  Lanes place;
-  Lanes chi2;
-  Lanes chi2_before;
+  Doubles place;
+  Doubles chi2;
+  Doubles chi2_before;
 
   /// What is better in `other`, lane by lane.
   void take(const LaneCuts& other) {
@@ -31,18 +31,18 @@ void RayLineSums::build(const Echoes& echoes) {
     sums->front() = 0.0;
   }
   // In pairs, as two sums grow as fast as one.
-  Lanes q_and_qx{};
-  Lanes qy_and_qxx{};
-  Lanes qxy_and_qyy{};
+  Doubles q_and_qx{};
+  Doubles qy_and_qxx{};
+  Doubles qxy_and_qyy{};
   for (int k = 0; k < num_echoes; ++k) {
     const double x = echoes.x_m[k];
     const double y = echoes.y_m[k];
     const double q = echoes.weight_per_m2[k] * (echoes.range_m[k] * echoes.range_m[k]);
     const double qx = q * x;
     const double qy = q * y;
-    q_and_qx += Lanes{q, qx};
-    qy_and_qxx += Lanes{qy, qx * x};
-    qxy_and_qyy += both_lanes(qy) * Lanes{x, y};
+    q_and_qx += Doubles{q, qx};
+    qy_and_qxx += Doubles{qy, qx * x};
+    qxy_and_qyy += both_lanes(qy) * Doubles{x, y};
     q_[k + 1] = q_and_qx[0];
     qx_[k + 1] = q_and_qx[1];
     qy_[k + 1] = qy_and_qxx[0];
@@ -52,28 +52,28 @@ void RayLineSums::build(const Echoes& echoes) {
   }
 }
 
-RayLineSums::Sums<Lanes> RayLineSums::before_two(int place) const {
+RayLineSums::Sums<Doubles> RayLineSums::before_two(int place) const {
   return {lanes_at(&q_[place]),   lanes_at(&qx_[place]),  lanes_at(&qy_[place]),
           lanes_at(&qxx_[place]), lanes_at(&qxy_[place]), lanes_at(&qyy_[place])};
 }
 
 RayLineSums::Cut RayLineSums::best_cut(Stretch places, int first_cut) const {
   const auto twice = [](const Sums<double>& s) {
-    return Sums<Lanes>{both_lanes(s.q),   both_lanes(s.qx),  both_lanes(s.qy),
-                       both_lanes(s.qxx), both_lanes(s.qxy), both_lanes(s.qyy)};
+    return Sums<Doubles>{both_lanes(s.q),   both_lanes(s.qx),  both_lanes(s.qy),
+                         both_lanes(s.qxx), both_lanes(s.qxy), both_lanes(s.qyy)};
   };
-  const Sums<Lanes> first = twice(before(places.first));
-  const Sums<Lanes> end = twice(before(places.last + 1));
-  const Lanes only_first = both_lanes(places.first);
-  const Lanes all_but_last = both_lanes(places.last - 1);
-  LaneCuts best{both_lanes(places.first), both_lanes(std::numeric_limits<double>::infinity()), Lanes{}};
+  const Sums<Doubles> first = twice(before(places.first));
+  const Sums<Doubles> end = twice(before(places.last + 1));
+  const Doubles only_first = both_lanes(places.first);
+  const Doubles all_but_last = both_lanes(places.last - 1);
+  LaneCuts best{both_lanes(places.first), both_lanes(std::numeric_limits<double>::infinity()), Doubles{}};
   for (int i = 0; i < kNumCuts; i += 2) {
     const int cut = std::min(first_cut + i, places.last - 2);
-    const Sums<Lanes> middle = before_two(cut + 1);
-    const Lanes place = Lanes{0.0, 1.0} + both_lanes(cut);
+    const Sums<Doubles> middle = before_two(cut + 1);
+    const Doubles place = Doubles{0.0, 1.0} + both_lanes(cut);
     // A line explains a single echo wholly; the quotient says nothing there.
-    const Lanes before = place > only_first ? chi2(difference(middle, first)) : Lanes{};
-    const Lanes after = place < all_but_last ? chi2(difference(end, middle)) : Lanes{};
+    const Doubles before = place > only_first ? chi2(difference(middle, first)) : Doubles{};
+    const Doubles after = place < all_but_last ? chi2(difference(end, middle)) : Doubles{};
     best.take({place, before + after, before});
   }
   best.take({swapped(best.place), swapped(best.chi2), swapped(best.chi2_before)});

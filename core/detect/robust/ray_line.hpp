@@ -57,7 +57,7 @@ class RayLineSums {
   template <typename T>
   static T chi2(const Sums<T>& sums);
   Sums<double> before(int place) const;
-  Sums<Lanes> before_two(int place) const;
+  Sums<Doubles> before_two(int place) const;
   Sums<double> between(Stretch places) const;
   static RayLine solve(const Sums<double>& sums);
 

@@ -93,7 +93,7 @@ TEST(LegForestTest, LaterTreesAskWhatTheFirstThinkOfPartners) {
   LegFeatureTable table;
   table.resize(3);
   for (int c = 0; c < 3; ++c) table.at(0, c) = c == 1 ? -1.0F : 1.0F;
-  const LegPlace places[] = {{10, 15, 2.0F, 0.0F}, {17, 20, 2.0F, 0.2F}, {30, 35, 4.0F, 3.0F}};
+  const LegPlace places[] = {{{10, 15}, 2.0F, 0.0F}, {{17, 20}, 2.0F, 0.2F}, {{30, 35}, 4.0F, 3.0F}};
   std::vector<float> scores;
   LegForestScorer().score({.trees = trees, .num_alone = 1}, table, places, scores);
   EXPECT_EQ(scores, (std::vector<float>{1.0F, 9.0F, 1.0F}));

@@ -25,7 +25,7 @@ class LegPartnersTest : public ::testing::Test {
 };
 
 TEST_F(LegPartnersTest, ACandidateAloneHasNone) {
-  read({{10, 15, 2.0F, 0.0F}}, {5.0F});
+  read({{{10, 15}, 2.0F, 0.0F}}, {5.0F});
   for (const LegFeature feature : {LegFeature::kPartner35, LegFeature::kPartner80, LegFeature::kRival}) {
     EXPECT_EQ(value(feature, 0), kNone);
   }
@@ -33,7 +33,7 @@ TEST_F(LegPartnersTest, ACandidateAloneHasNone) {
 
 TEST_F(LegPartnersTest, TheLikeliestWithinReachCounts) {
   // At 0.2, 0.6 and 1.0 m from the first.
-  read({{10, 15, 2.0F, 0.0F}, {17, 20, 2.0F, 0.2F}, {22, 25, 2.0F, 0.6F}, {30, 35, 2.0F, 1.0F}},
+  read({{{10, 15}, 2.0F, 0.0F}, {{17, 20}, 2.0F, 0.2F}, {{22, 25}, 2.0F, 0.6F}, {{30, 35}, 2.0F, 1.0F}},
        {0.5F, -1.0F, 2.0F, 9.0F});
   EXPECT_EQ(value(LegFeature::kPartner35, 0), -1.0F);
   EXPECT_EQ(value(LegFeature::kPartner80, 0), 2.0F);
@@ -44,7 +44,7 @@ TEST_F(LegPartnersTest, TheLikeliestWithinReachCounts) {
 
 TEST_F(LegPartnersTest, WhatSharesBeamsIsARivalAndNoPartner) {
   // Two halves and the whole.
-  read({{10, 14, 2.0F, -0.06F}, {10, 19, 2.0F, 0.0F}, {15, 19, 2.0F, 0.06F}}, {1.0F, 2.0F, 3.0F});
+  read({{{10, 14}, 2.0F, -0.06F}, {{10, 19}, 2.0F, 0.0F}, {{15, 19}, 2.0F, 0.06F}}, {1.0F, 2.0F, 3.0F});
   EXPECT_EQ(value(LegFeature::kPartner35, 0), 3.0F);
   EXPECT_EQ(value(LegFeature::kRival, 0), 2.0F);
   EXPECT_EQ(value(LegFeature::kPartner35, 1), kNone);
@@ -54,7 +54,7 @@ TEST_F(LegPartnersTest, WhatSharesBeamsIsARivalAndNoPartner) {
 }
 
 TEST_F(LegPartnersTest, WhatIsUnlikelyIsNone) {
-  read({{10, 15, 2.0F, 0.0F}, {17, 20, 2.0F, 0.2F}}, {5.0F, kNone - 1.0F});
+  read({{{10, 15}, 2.0F, 0.0F}, {{17, 20}, 2.0F, 0.2F}}, {5.0F, kNone - 1.0F});
   EXPECT_EQ(value(LegFeature::kPartner35, 0), kNone);
   EXPECT_EQ(value(LegFeature::kPartner35, 1), 5.0F);
 }
@@ -66,7 +66,7 @@ TEST_F(LegPartnersTest, EveryInstructionSetGivesTheSameBits) {
   std::vector<float> sums;
   for (int i = 0; i < 61; ++i) {
     const int first = static_cast<int>(dice() % 300);
-    places.push_back({first, first + static_cast<int>(dice() % 20), 3.0F * unit(dice), 3.0F * unit(dice)});
+    places.push_back({{first, first + static_cast<int>(dice() % 20)}, 3.0F * unit(dice), 3.0F * unit(dice)});
     sums.push_back(8.0F * unit(dice) - 4.0F);
   }
   read(places, sums);
