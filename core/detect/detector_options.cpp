@@ -44,6 +44,8 @@ void LineOptions::validate() const {
 
 void LegOptions::validate() const {
   require(min_score >= 0.0 && min_score <= 1.0, "leg.min_score", min_score, "[0, 1]");
+  require(min_doubtful_score >= 0.0 && min_doubtful_score <= 1.0, "leg.min_doubtful_score",
+          min_doubtful_score, "[0, 1]");
   require(min_width_m > 0.0 && min_width_m <= 1.0, "leg.min_width_m", min_width_m, "(0, 1]");
   require(max_width_m > min_width_m && max_width_m <= 2.0, "leg.max_width_m", max_width_m,
           "(min_width_m, 2]");

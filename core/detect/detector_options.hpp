@@ -58,8 +58,9 @@ enum class LegScorer {
 struct LegOptions {
   bool enabled = true;
   LegScorer scorer = LegScorer::kRules;
-  double min_score = 0.0;     ///< legs of a lower score are dropped
-  double min_width_m = 0.10;  ///< chord of the segment
+  double min_score = 0.0;           ///< legs of a lower score are not reported ...
+  double min_doubtful_score = 1.0;  ///< ... but told to tracking from this one on
+  double min_width_m = 0.10;        ///< chord of the segment
   double max_width_m = 0.25;
   int min_points = 3;
   double min_depth_ratio = 0.1;  ///< as for circles
@@ -98,6 +99,7 @@ inline DetectorOptions robust_options() {
   options.line.min_length_m = 0.2;
   options.leg.scorer = LegScorer::kForest;
   options.leg.min_score = 0.3;
+  options.leg.min_doubtful_score = 0.1;
   return options;
 }
 

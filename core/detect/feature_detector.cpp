@@ -32,7 +32,7 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
   if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
   if (!is_paper) detect_surfaces(scan);
   if (options_.leg.enabled && !by_rules) {
-    forest_leg_detector_.detect(scan, *leg_forest_, options_.leg, features_.legs);
+    forest_leg_detector_.detect(scan, *leg_forest_, options_.leg, features_);
   }
   return features_;
 }
@@ -44,7 +44,7 @@ void FeatureDetector::detect_in_segments(const LaserScan& scan) {
     if (options_.pipeline == Pipeline::kPaper) detect_in_segment(segment);
     if (options_.leg.scorer != LegScorer::kRules) continue;
     const std::optional<Leg> leg = detect_leg(scan, points_, segment, options_.leg);
-    if (leg && leg->score >= options_.leg.min_score) features_.legs.push_back(*leg);
+    if (leg) append_by_score(*leg, options_.leg, features_);
   }
 }
 

@@ -47,11 +47,14 @@ struct Features {
   std::vector<Line> lines;
   std::vector<Circle> circles;
   std::vector<Leg> legs;
+  /// Too unlikely to be reported, but if tracking finds them again and again, somebody is there.
+  std::vector<Leg> doubtful_legs;
 
   void clear() {
     lines.clear();
     circles.clear();
     legs.clear();
+    doubtful_legs.clear();
   }
 };
 

@@ -49,4 +49,12 @@ std::optional<Leg> detect_leg(const LaserScan& scan, const Points& points, const
   return leg;
 }
 
+void append_by_score(const Leg& leg, const LegOptions& options, Features& features) {
+  if (leg.score >= options.min_score) {
+    features.legs.push_back(leg);
+  } else if (leg.score >= options.min_doubtful_score) {
+    features.doubtful_legs.push_back(leg);
+  }
+}
+
 }  // namespace scanbed

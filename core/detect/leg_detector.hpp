@@ -21,4 +21,7 @@ bool is_partly_occluded(const LaserScan& scan, const Points& points, const Segme
 std::optional<Leg> detect_leg(const LaserScan& scan, const Points& points, const Segment& segment,
                               const LegOptions& options);
 
+/// Appends a leg to those that its score puts it among, if any.
+void append_by_score(const Leg& leg, const LegOptions& options, Features& features);
+
 }  // namespace scanbed

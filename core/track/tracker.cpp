@@ -41,7 +41,7 @@ const std::vector<Track>& Tracker::update(const LaserScan& scan, const Features&
   cylinders_.update(now, features.circles, circle_is_leg_, options_);
   reported_.clear();
   report(people_.tracks());
-  hide_stand_ins(static_cast<int>(features.legs.size()));
+  hide_unreported(static_cast<int>(features.legs.size()));
   report(cylinders_.tracks());
   std::sort(reported_.begin(), reported_.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
   return reported_;
@@ -65,10 +65,12 @@ void Tracker::mark_legs(const Features& features) {
 // A leg whose width or depth misses the rules of legs is often a good circle all the same.
 void Tracker::gather_legs(const Features& features) {
   legs_.assign(features.legs.begin(), features.legs.end());
+  legs_.insert(legs_.end(), features.doubtful_legs.begin(), features.doubtful_legs.end());
   if (options_.thin_circle_score == 0.0) return;
+  const auto num_found = static_cast<std::ptrdiff_t>(legs_.size());
   for (const Circle& circle : features.circles) {
     const bool is_thin = circle.radius_m >= kMinLegRadius_m && circle.radius_m <= kMaxLegRadius_m;
-    const bool is_known = std::any_of(features.legs.begin(), features.legs.end(), [&](const Leg& leg) {
+    const bool is_known = std::any_of(legs_.begin(), legs_.begin() + num_found, [&](const Leg& leg) {
       return leg.beams.first <= circle.beams.last && circle.beams.first <= leg.beams.last;
     });
     if (!is_thin || is_known) continue;
@@ -76,8 +78,8 @@ void Tracker::gather_legs(const Features& features) {
   }
 }
 
-// Legs that were found as circles alone are in no list that users know.
-void Tracker::hide_stand_ins(int num_legs) {
+// Those that are doubtful, or were found as circles alone, are in no list that users know.
+void Tracker::hide_unreported(int num_legs) {
   for (Track& track : reported_) {
     if (track.feature >= num_legs) track.feature = kNoFeature;
     if (track.second_feature >= num_legs) track.second_feature = kNoFeature;

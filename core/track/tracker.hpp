@@ -43,7 +43,7 @@ class Tracker {
   double step_s(double time_s);
   void mark_legs(const Features& features);
   void gather_legs(const Features& features);
-  void hide_stand_ins(int num_legs);
+  void hide_unreported(int num_legs);
   void report(std::vector<LiveTrack>& tracks);
 
   TrackOptions options_;
@@ -54,7 +54,7 @@ class Tracker {
   bool has_begun_ = false;
   double last_time_s_ = 0.0;
   int last_id_ = 0;
-  std::vector<Leg> legs_;  ///< of this scan: those found, then thin circles
+  std::vector<Leg> legs_;  ///< of this scan: those reported, those in doubt, then thin circles
   std::vector<char> circle_is_leg_;
   std::vector<Track> reported_;
 };

@@ -16,10 +16,9 @@ namespace scanbed {
 /// the best of those that overlap or lie within 0.10 m of each other. Keeps its buffers.
 class ForestLegDetector {
  public:
-  /// Appends legs of at least options.min_score, in rising order of their first beam. A leg's middle is the
-  /// centroid of its echoes; its score the calibrated probability that it is one.
-  void detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options,
-              std::vector<Leg>& legs);
+  /// Appends the legs, and those that are doubtful, in rising order of their first beam. A leg's middle is
+  /// the centroid of its echoes; its score the calibrated probability that it is one.
+  void detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options, Features& features);
 
  private:
   LegBeamReader beam_reader_;

@@ -36,6 +36,7 @@ TEST(DetectorOptionsTest, EachFieldOutOfRangeIsNamed) {
       {"line.max_average_deviation_rad", [](auto& o) { o.line.max_average_deviation_rad = 2.0; }},
       {"line.max_std_rad", [](auto& o) { o.line.max_std_rad = 0.0; }},
       {"leg.min_score", [](auto& o) { o.leg.min_score = 1.5; }},
+      {"leg.min_doubtful_score", [](auto& o) { o.leg.min_doubtful_score = -0.1; }},
       {"leg.min_width_m", [](auto& o) { o.leg.min_width_m = 0.0; }},
       {"leg.max_width_m", [](auto& o) { o.leg.max_width_m = 0.05; }},
       {"leg.min_points", [](auto& o) { o.leg.min_points = 2; }},

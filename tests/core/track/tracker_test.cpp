@@ -179,6 +179,27 @@ TEST(TrackerTest, DoubtfulPeopleAreFollowedButNotReported) {
   EXPECT_EQ(tracker.tracks().size(), 1u);
 }
 
+// Somebody's legs that are hardly seen for a while.
+TEST(TrackerTest, ALegInDoubtKeepsATrackAndIsNotNamed) {
+  for (const bool is_told : {true, false}) {
+    Tracker tracker;
+    double time_s = 0.0;
+    for (; time_s < 2.0; time_s += 0.1)
+      tracker.update(open_scan(time_s), two_legs_at({1.0 + time_s, 0.0}), Pose2{});
+    for (; time_s < 3.0; time_s += 0.1) {
+      Features features;
+      if (is_told) features.doubtful_legs = two_legs_at({1.0 + time_s, 0.0}).legs;
+      tracker.update(open_scan(time_s), features, Pose2{});
+    }
+    ASSERT_EQ(tracker.tracks().size(), is_told ? 1u : 0u);
+    if (!is_told) continue;
+    EXPECT_EQ(tracker.tracks()[0].id, 1);
+    EXPECT_EQ(tracker.tracks()[0].feature, kNoFeature);
+    EXPECT_EQ(tracker.tracks()[0].second_feature, kNoFeature);
+    EXPECT_NEAR(tracker.tracks()[0].position_m.x(), 0.9 + time_s, 0.05);
+  }
+}
+
 TEST(TrackerTest, ALegThatIsACircleTooIsNoCylinder) {
   Tracker tracker;
   for (int i = 0; i < 5; ++i) {

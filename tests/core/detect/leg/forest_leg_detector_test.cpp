@@ -17,9 +17,9 @@ using Eigen::Vector2d;
 using testing::IdealScene;
 
 std::vector<Leg> legs_in(const LaserScan& scan) {
-  std::vector<Leg> legs;
-  ForestLegDetector().detect(scan, trained_leg_forest(), robust_options().leg, legs);
-  return legs;
+  Features features;
+  ForestLegDetector().detect(scan, trained_leg_forest(), robust_options().leg, features);
+  return features.legs;
 }
 
 LaserScan scan_of(std::vector<double> range_m) {
@@ -64,18 +64,19 @@ TEST(ForestLegDetectorTest, LegsComeInTheOrderOfTheirBeamsAndApart) {
 
 TEST(ForestLegDetectorTest, TheLeastScoreIsWhatTheOptionsSay) {
   LegOptions options = robust_options().leg;
-  std::vector<Leg> all;
-  options.min_score = 0.01;
+  Features all;
+  options.min_score = options.min_doubtful_score = 0.01;
   ForestLegDetector().detect(people(), trained_leg_forest(), options, all);
-  ASSERT_FALSE(all.empty());
-  for (const Leg& leg : all) EXPECT_LE(leg.score, 1.0);
-  for (const Leg& bar : all) {
+  ASSERT_FALSE(all.legs.empty());
+  EXPECT_TRUE(all.doubtful_legs.empty());
+  for (const Leg& leg : all.legs) EXPECT_LE(leg.score, 1.0);
+  for (const Leg& bar : all.legs) {
     options.min_score = bar.score;
-    std::vector<Leg> sure;
-    ForestLegDetector().detect(people(), trained_leg_forest(), options, sure);
-    const auto num_expected =
-        std::count_if(all.begin(), all.end(), [&](const Leg& leg) { return leg.score >= bar.score; });
-    EXPECT_EQ(static_cast<std::ptrdiff_t>(sure.size()), num_expected);
+    Features parted;
+    ForestLegDetector().detect(people(), trained_leg_forest(), options, parted);
+    EXPECT_EQ(parted.legs.size() + parted.doubtful_legs.size(), all.legs.size());
+    for (const Leg& leg : parted.legs) EXPECT_GE(leg.score, bar.score);
+    for (const Leg& leg : parted.doubtful_legs) EXPECT_LT(leg.score, bar.score);
   }
 }
 
