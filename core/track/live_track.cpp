@@ -97,6 +97,11 @@ bool LiveTrack::is_at_hand(const TrackOptions& options) const {
   return num_missed <= options.num_coasted_scans || (kind == TrackKind::kPerson && stands_there);
 }
 
+bool LiveTrack::is_shown(const TrackOptions& options) const {
+  if (!is_confirmed(options) || !is_at_hand(options)) return false;
+  return kind == TrackKind::kCylinder || score() >= options.min_score;
+}
+
 bool LiveTrack::is_settled() const {
   return !is_mobile && history.span_s() >= kMinSettled_s && history.net_displacement_m() <= kMaxSettled_m;
 }
@@ -107,6 +112,13 @@ double LiveTrack::evidence() const {
 
 double LiveTrack::score() const {
   return sigmoid(evidence());
+}
+
+std::uint64_t with_legs(std::uint64_t recent_legs, int feature, int second_feature) {
+  constexpr std::uint64_t kBase = 1u << 10;  // six digits: two for each of three scans
+  const auto digit = [](int leg) { return static_cast<std::uint64_t>(leg + 1) % kBase; };
+  constexpr std::uint64_t kSixDigits = (std::uint64_t{1} << 60) - 1;
+  return ((recent_legs * kBase + digit(feature)) * kBase + digit(second_feature)) & kSixDigits;
 }
 
 Track seen_from(const Pose2& X_WS, const LiveTrack& track) {

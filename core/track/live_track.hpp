@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/track/moving_point.hpp"
 #include "core/track/place_history.hpp"
 #include "core/track/scan_view.hpp"
@@ -18,7 +21,8 @@ struct TrackedScan {
 
 /// A track with its memory; world frame W.
 struct LiveTrack {
-  int id = 0;  ///< 0 until it is confirmed
+  int id = 0;               ///< 0 until it is shown
+  std::uint64_t birth = 0;  ///< tells tracks apart that have no id; the same in all hypotheses
   TrackKind kind = TrackKind::kLeg;
   MovingPoint point;
   PlaceHistory history;
@@ -34,9 +38,17 @@ struct LiveTrack {
   double radius_m = 0.0;         ///< of a cylinder
   int feature = kNoFeature;
   int second_feature = kNoFeature;
+  std::array<Eigen::Vector2d, 2> p_WL_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< its legs, ...
+  int num_legs_seen = 0;                  ///< ... as many as there were when it was last seen
+  std::uint64_t recent_legs = 0;          ///< which features it had in the last three scans
   PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
   bool is_mobile = false;
   bool is_dead = false;
+
+  bool is_person() const { return kind == TrackKind::kPerson; }
+
+  /// A person of whom this scan shows one leg, or none.
+  bool lacks_a_leg() const { return is_person() && !is_dead && second_feature == kNoFeature; }
 
   /// Seen often enough, or as two legs that leave no doubt.
   bool is_confirmed(const TrackOptions& options) const;
@@ -59,6 +71,9 @@ struct LiveTrack {
   /// beams pass nor where so much time has made its place too doubtful to tell.
   bool is_at_hand(const TrackOptions& options) const;
 
+  /// What is reported: confirmed, at hand, and likely enough where the options ask for that.
+  bool is_shown(const TrackOptions& options) const;
+
   /// It has been watched for a while and stood still.
   bool is_settled() const;
 
@@ -72,6 +87,9 @@ struct LiveTrack {
 
 /// Log-odds of a score in [0, 1], bounded to +-4.
 double log_odds_of(double score);
+
+/// `recent_legs` after one scan more, in which a track has these features.
+std::uint64_t with_legs(std::uint64_t recent_legs, int feature, int second_feature);
 
 /// How the track looks from outside, in the sensor frame.
 Track seen_from(const Pose2& X_WS, const LiveTrack& track);

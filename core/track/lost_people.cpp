@@ -8,7 +8,7 @@
 namespace scanbed {
 namespace {
 
-constexpr double kTurn_s = 1.0;         // in which who is out of sight loses direction
+constexpr double kTurn_s = 2.0;         // in which who is out of sight loses direction
 constexpr double kReach_m = 0.5;        // of a newcomer from where the other one is expected ...
 constexpr double kHurry_m_per_s = 1.8;  // ... and more by this, for each second since
 constexpr double kMaxTogether_s = 0.5;  // a leg may have begun a track of its own so long before the end
@@ -28,6 +28,7 @@ void take_over(LiveTrack& newcomer, const LiveTrack& missing, const TrackOptions
   const double keep_ratio = options.evidence_keep_ratio;
   newcomer.kind = TrackKind::kPerson;
   newcomer.id = missing.id;
+  newcomer.birth = missing.birth;
   newcomer.num_hits += missing.num_hits;
   newcomer.log_odds = keep_ratio * missing.log_odds + (1.0 - keep_ratio) * newcomer.log_odds;
   newcomer.motion_evidence = std::max(newcomer.motion_evidence, missing.motion_evidence);

@@ -29,6 +29,7 @@ class LostPeople {
   void predict(const TrackedScan& now, double accel_psd_m2_per_s3, const TrackOptions& options);
 
   std::vector<LiveTrack>& people() { return people_; }
+  const std::vector<LiveTrack>& people() const { return people_; }
 
   /// Forgets those that are marked as dead.
   void bury_dead();

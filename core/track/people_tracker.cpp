@@ -2,250 +2,157 @@
 #include "core/track/people_tracker.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace scanbed {
 namespace {
 
-constexpr double kPersonAccel_m2_per_s3 = 1.0;
-constexpr double kLegAccel_m2_per_s3 = 6.0;  // a leg stops and swings with every step
-constexpr double kBothLegsSigma_m = 0.07;    // of their middle, about the person's
-constexpr double kOneLegSigma_m = 0.18;      // of one leg, about the person's middle
-constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
-constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
-constexpr double kMaxSurprise = 12.0;        // of a leg that is still a track's: 3.5 standard deviations
-constexpr double kStride_m = 0.35;           // of a leg from the person's middle: widens the gate
-constexpr double kMaxStride_m = 0.9;         // between a person's legs
-constexpr double kAbsorbLeg_m = 0.55;        // of a single leg from a person that lacks one
-constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
-constexpr double kOwnLeg_m = 0.75;           // a leg so near to a person with one leg is nobody else's ...
-constexpr double kOwnThirdLeg_m = 0.5;       // ... nor is one so near to a person with two
-constexpr double kWalkDistance_m = 0.7;      // what moves so far within the window walks
-constexpr double kPersonRadius_m = 0.25;
-constexpr double kLegRadius_m = 0.10;
+constexpr int kMaxHypotheses = 6;
+constexpr int kMaxAnswers = 4;           // of one hypothesis to one scan
+constexpr double kMaxLoss = 8.0;         // what costs so much more than the best is dropped
+constexpr double kChangeSurprise = 2.0;  // of somebody shown being taken for somebody else
+constexpr double kSamePlace_m = 0.5;     // who is so near to where somebody was shown is that one
+constexpr double kOwnPlace_m = 0.1;      // by so much each is nearer to the own place
 
-// Somebody is there if one of two legs is a leg; what one is says nothing of the other.
-double either(double score, double other_score) {
-  return 1.0 - (1.0 - score) * (1.0 - other_score);
-}
-
-bool is_person(const LiveTrack& track) {
-  return track.kind == TrackKind::kPerson;
-}
-
-bool is_free_leg(const LiveTrack& track) {
-  return !is_person(track) && !track.is_dead && track.feature != kNoFeature;
-}
-
-bool lacks_a_leg(const LiveTrack& track) {
-  return is_person(track) && !track.is_dead && track.second_feature == kNoFeature;
-}
-
-// A track of one leg that is so near to a person who lacks one that it is the person's.
-bool belongs_to(const LiveTrack& other, const LiveTrack& person) {
-  if (other.is_dead || other.feature == kNoFeature || other.second_feature != kNoFeature) return false;
-  if (is_person(other) && other.num_hits > person.num_hits) return false;
-  const double reach_m = is_person(other) ? kAbsorbPerson_m : kAbsorbLeg_m;
-  return (other.point.p_m - person.point.p_m).norm() <= reach_m;
-}
-
-// How surprising a leg is for a track: -2 times the log-likelihood of its place, but for a constant that
-// makes it 0 where a person who is exactly known has a leg. What is known less takes fewer legs from others.
-double surprise_of_leg(double distance_m2, const LiveTrack& track) {
-  const double sigma_m = is_person(track) ? kOneLegSigma_m : kLegSigma_m;
-  const double var_m2 = track.point.var_p_m2 + sigma_m * sigma_m;
-  return distance_m2 / var_m2 + 2.0 * std::log(var_m2 / (kOneLegSigma_m * kOneLegSigma_m));
+std::uint64_t mixed(std::uint64_t x) {  // the finaliser of splitmix64
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
 }
 
 }  // namespace
 
+PeopleTracker::PeopleTracker() {
+  hypotheses_.store.resize(kMaxHypotheses);
+  grown_.store.resize(kMaxHypotheses);
+  hypotheses_.size = 1;
+}
+
 void PeopleTracker::update(const TrackedScan& now, const std::vector<Leg>& legs,
                            const TrackOptions& options) {
-  p_WL_m_.clear();
-  for (const Leg& leg : legs) p_WL_m_.push_back(now.X_WS * leg.middle_m);
-  for (LiveTrack& track : tracks_) {
-    track.predict(now, is_person(track) ? kPersonAccel_m2_per_s3 : kLegAccel_m2_per_s3);
-    if (is_person(track) && track.num_missed > 0) lose_way(track.point, now.dt_s);
-  }
-  lost_.predict(now, kPersonAccel_m2_per_s3, options);
-  assign(legs, options);
-  for (LiveTrack& track : tracks_) correct(track, now, legs, options);
-  begin_tracks(now, legs, options);
-  absorb_single_legs();
-  join_pairs(options);
-  recall_missing(options);
-  bury_dead();
+  step_.begin(now, legs, options);
+  branch();
+  grow_children();
+  std::swap(hypotheses_, grown_);
+  level_storage();
+  choose_shown(now.dt_s, options);
+  remember_shown(options);
 }
 
-void PeopleTracker::make_slots() {
-  slots_.clear();
-  for (int i = 0; i < static_cast<int>(tracks_.size()); ++i) {
-    slots_.push_back({i});
-    if (is_person(tracks_[i])) slots_.push_back({i});
-  }
-}
-
-void PeopleTracker::assign(const std::vector<Leg>& legs, const TrackOptions& options) {
-  make_slots();
-  const int num_legs = static_cast<int>(legs.size());
-  assignment_.reset(num_legs, static_cast<int>(slots_.size()), kMaxSurprise);
-  for (int column = 0; column < static_cast<int>(slots_.size()); ++column) {
-    const LiveTrack& track = tracks_[slots_[column].track];
-    const double stride_m = is_person(track) ? kStride_m : 0.0;
-    const double gate_m = track.gate_m(options) + stride_m;
-    for (int row = 0; row < num_legs; ++row) {
-      const double distance_m2 = (p_WL_m_[row] - track.point.p_m).squaredNorm();
-      if (distance_m2 < gate_m * gate_m) assignment_.allow(row, column, surprise_of_leg(distance_m2, track));
+void PeopleTracker::branch() {
+  children_.clear();
+  claim_of_track_.clear();
+  for (int parent = 0; parent < hypotheses_.size; ++parent) {
+    PeopleHypothesis& hypothesis = hypotheses_.store[parent];
+    step_.predict(hypothesis);
+    step_.claim(hypothesis, claims_);
+    for (const LegClaims::Answer& answer : claims_.solve(kMaxAnswers, kMaxLoss)) {
+      Child child{
+          .cost = hypothesis.cost - answer.gain, .parent = parent, .first_claim = claim_of_track_.size()};
+      for (int track = 0; track < static_cast<int>(hypothesis.tracks.size()); ++track)
+        claim_of_track_.push_back(claims_.claim_of(answer, track));
+      child.key = key_of(child);
+      children_.push_back(child);
     }
   }
-  leg_taken_.assign(num_legs, 0);
-  const std::span<const int> column_of_leg = assignment_.solve();
-  for (int row = 0; row < num_legs; ++row) {
-    if (column_of_leg[row] == kUnassigned) continue;
-    LiveTrack& track = tracks_[slots_[column_of_leg[row]].track];
-    (track.feature == kNoFeature ? track.feature : track.second_feature) = row;
-    leg_taken_[row] = 1;
-  }
-}
-
-void PeopleTracker::correct(LiveTrack& track, const TrackedScan& now, const std::vector<Leg>& legs,
-                            const TrackOptions& options) {
-  if (track.feature == kNoFeature) {
-    track.count_miss(now, is_person(track) ? kPersonRadius_m : kLegRadius_m, options);
-    return;
-  }
-  if (track.second_feature != kNoFeature) {
-    const double apart_m = (p_WL_m_[track.feature] - p_WL_m_[track.second_feature]).norm();
-    if (apart_m > kMaxStride_m) {  // the nearer one is its own
-      const auto off_m2 = [&](int leg) { return (p_WL_m_[leg] - track.point.p_m).squaredNorm(); };
-      if (off_m2(track.second_feature) < off_m2(track.feature))
-        std::swap(track.feature, track.second_feature);
-      leg_taken_[track.second_feature] = 0;
-      track.second_feature = kNoFeature;
-    }
-  }
-  double log_odds = log_odds_of(legs[track.feature].score);
-  Eigen::Vector2d measured_m = p_WL_m_[track.feature];
-  double sigma_m = is_person(track) ? kOneLegSigma_m : kLegSigma_m;
-  if (track.second_feature != kNoFeature) {
-    log_odds = log_odds_of(either(legs[track.feature].score, legs[track.second_feature].score));
-    measured_m = (measured_m + p_WL_m_[track.second_feature]) / 2;
-    sigma_m = kBothLegsSigma_m;
-  }
-  track.point.correct(measured_m, sigma_m);
-  track.count_hit(log_odds, now, options);
-  if (!is_person(track) && track.history.net_displacement_m() > kWalkDistance_m)
-    track.kind = TrackKind::kPerson;
-}
-
-void PeopleTracker::begin_tracks(const TrackedScan& now, const std::vector<Leg>& legs,
-                                 const TrackOptions& options) {
-  for (int i = 0; i < static_cast<int>(legs.size()); ++i) {
-    if (leg_taken_[i] != 0) continue;
-    LiveTrack track;
-    track.point.p_m = p_WL_m_[i];
-    track.point.var_p_m2 = kLegSigma_m * kLegSigma_m;
-    track.point.var_v_m2_per_s2 = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
-    track.feature = i;
-    track.count_hit(log_odds_of(legs[i].score), now, options);
-    tracks_.push_back(track);
-  }
-}
-
-// A leg beside a person that lacks one is that one; so is a person of one leg, who began as a leg that
-// walked.
-void PeopleTracker::absorb_single_legs() {
-  for (LiveTrack& person : tracks_) {
-    for (LiveTrack& other : tracks_) {
-      if (!lacks_a_leg(person)) break;
-      if (&other == &person || !belongs_to(other, person)) continue;
-      other.is_dead = true;
-      (person.feature == kNoFeature ? person.feature : person.second_feature) = other.feature;
-    }
-  }
-}
-
-void PeopleTracker::find_pairs(double max_distance_m) {
-  pairs_.clear();
-  const int num_tracks = static_cast<int>(tracks_.size());
-  for (int a = 0; a < num_tracks; ++a) {
-    if (!is_free_leg(tracks_[a])) continue;
-    for (int b = a + 1; b < num_tracks; ++b) {
-      if (!is_free_leg(tracks_[b])) continue;
-      const double distance_m = (tracks_[a].point.p_m - tracks_[b].point.p_m).norm();
-      if (distance_m <= max_distance_m) pairs_.push_back({distance_m, a, b});
-    }
-  }
-  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& left, const Pair& right) {
-    return std::tie(left.distance_m, left.a, left.b) < std::tie(right.distance_m, right.a, right.b);
+  std::sort(children_.begin(), children_.end(), [](const Child& a, const Child& b) {
+    return std::tie(a.cost, a.first_claim) < std::tie(b.cost, b.first_claim);
   });
 }
 
-void PeopleTracker::join_pairs(const TrackOptions& options) {
-  find_pairs(options.max_leg_distance_m);
-  for (const Pair& pair : pairs_) {
-    LiveTrack& elder = tracks_[pair.a];  // tracks stand in the order of their birth
-    LiveTrack& younger = tracks_[pair.b];
-    if (!is_free_leg(elder) || !is_free_leg(younger)) continue;
-    elder.kind = TrackKind::kPerson;
-    elder.second_feature = younger.feature;
-    const Eigen::Vector2d to_middle_m = (younger.point.p_m - elder.point.p_m) / 2;
-    elder.point.p_m += to_middle_m;
-    elder.history.shift(to_middle_m);  // nobody walked there
-    elder.point.v_m_per_s = (elder.point.v_m_per_s + younger.point.v_m_per_s) / 2;
-    elder.log_odds = std::max(elder.log_odds, younger.log_odds);
-    younger.is_dead = true;
+std::uint64_t PeopleTracker::key_of(const Child& child) const {
+  const std::vector<LiveTrack>& tracks = hypotheses_.store[child.parent].tracks;
+  std::uint64_t key = tracks.size();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const LegClaim& claim = claim_of_track_[child.first_claim + i];
+    key = mixed(mixed(key + tracks[i].birth) + with_legs(tracks[i].recent_legs, claim.first, claim.second));
+  }
+  return key;
+}
+
+// The likeliest children, but for those that agree with a likelier one.
+void PeopleTracker::grow_children() {
+  const double least_cost = children_.front().cost;
+  grown_.size = 0;
+  for (auto child = children_.begin(); child != children_.end(); ++child) {
+    if (grown_.size == kMaxHypotheses || child->cost > least_cost + kMaxLoss) break;
+    const auto agrees = [&](const Child& other) { return other.key == child->key; };
+    if (std::any_of(children_.begin(), child, agrees)) continue;
+    PeopleHypothesis& grown = grown_.store[grown_.size++];
+    grown = hypotheses_.store[child->parent];
+    grown.cost = child->cost - least_cost;
+    step_.explain(grown, std::span(claim_of_track_).subspan(child->first_claim, grown.tracks.size()));
   }
 }
 
-// A person of no name yet, or a leg that is one more likely than not and is nobody's in sight.
-bool PeopleTracker::may_be_known(const LiveTrack& track) const {
-  if (track.is_dead || track.feature == kNoFeature) return false;
-  if (is_person(track)) return track.id == 0;
-  return track.log_odds > 0.0 && std::none_of(tracks_.begin(), tracks_.end(), [&](const LiveTrack& other) {
-           if (!is_person(other) || other.is_dead || other.feature == kNoFeature) return false;
-           const double own_m = lacks_a_leg(other) ? kOwnLeg_m : kOwnThirdLeg_m;
-           return (other.point.p_m - track.point.p_m).norm() < own_m;
-         });
+// Hypotheses take each other's places: what one of them needs, all will.
+void PeopleTracker::level_storage() {
+  std::size_t most_tracks = 0;
+  std::size_t most_lost = 0;
+  for (const Pool* pool : {&hypotheses_, &grown_}) {
+    for (const PeopleHypothesis& hypothesis : pool->store) {
+      most_tracks = std::max(most_tracks, hypothesis.tracks.capacity());
+      most_lost = std::max(most_lost, hypothesis.lost.people().capacity());
+    }
+  }
+  for (Pool* pool : {&hypotheses_, &grown_}) {
+    for (PeopleHypothesis& hypothesis : pool->store) {
+      hypothesis.tracks.reserve(most_tracks);
+      hypothesis.lost.people().reserve(most_lost);
+    }
+  }
 }
 
-LiveTrack* PeopleTracker::missing_for(const LiveTrack& newcomer) {
-  LiveTrack* likeliest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  const auto consider = [&](LiveTrack& missing) {
-    if (missing.is_dead) return;
-    const double surprise = surprise_of(newcomer, missing);
-    if (surprise >= least) return;
-    least = surprise;
-    likeliest = &missing;
-  };
-  for (LiveTrack& lost : lost_.people()) consider(lost);
-  for (LiveTrack& track : tracks_) {
-    const bool is_known = is_person(track) && track.id != 0 && track.is_mobile;
-    if (is_known && track.feature == kNoFeature) consider(track);
+// How many people would be somebody else than was shown in their places in the last scan.
+int PeopleTracker::num_changes(const PeopleHypothesis& hypothesis, double dt_s,
+                               const TrackOptions& options) const {
+  int num_changes = 0;
+  for (const LiveTrack& track : hypothesis.tracks) {
+    if (!track.is_person() || !track.is_shown(options)) continue;
+    double nearest_m = kSamePlace_m;
+    std::uint64_t birth = track.birth;
+    for (const Shown& shown : shown_people_) {
+      double distance_m = (shown.p_m + dt_s * shown.v_m_per_s - track.point.p_m).norm();
+      if (shown.birth == track.birth) distance_m -= kOwnPlace_m;
+      if (distance_m >= nearest_m) continue;
+      nearest_m = distance_m;
+      birth = shown.birth;
+    }
+    if (birth != track.birth) ++num_changes;
   }
-  return likeliest;
+  return num_changes;
 }
 
-void PeopleTracker::recall_missing(const TrackOptions& options) {
-  for (LiveTrack& newcomer : tracks_) {
-    if (!may_be_known(newcomer)) continue;
-    LiveTrack* const missing = missing_for(newcomer);
-    if (missing == nullptr) continue;
-    take_over(newcomer, *missing, options);
-    missing->id = 0;
-    missing->is_dead = true;
+void PeopleTracker::choose_shown(double dt_s, const TrackOptions& options) {
+  double least_cost = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < hypotheses_.size; ++i) {
+    const PeopleHypothesis& hypothesis = hypotheses_.store[i];
+    const double cost = hypothesis.cost + kChangeSurprise * num_changes(hypothesis, dt_s, options);
+    if (cost >= least_cost) continue;
+    least_cost = cost;
+    shown_ = i;
   }
-  lost_.bury_dead();
 }
 
-void PeopleTracker::bury_dead() {
-  for (const LiveTrack& track : tracks_) {
-    if (track.is_dead) lost_.remember(track);
+void PeopleTracker::remember_shown(const TrackOptions& options) {
+  shown_people_.clear();
+  for (const LiveTrack& track : tracks()) {
+    if (track.is_person() && track.is_shown(options))
+      shown_people_.push_back({track.birth, track.point.p_m, track.point.v_m_per_s});
   }
-  std::erase_if(tracks_, [](const LiveTrack& track) { return track.is_dead; });
+}
+
+void PeopleTracker::spread_ids() {
+  for (const LiveTrack& shown : tracks()) {
+    if (shown.id == 0) continue;
+    for (PeopleHypothesis& hypothesis : hypotheses_.all()) {
+      for (LiveTrack& track : hypothesis.tracks) {
+        if (track.birth == shown.birth) track.id = shown.id;
+      }
+    }
+  }
 }
 
 }  // namespace scanbed

@@ -41,6 +41,7 @@ const std::vector<Track>& Tracker::update(const LaserScan& scan, const Features&
   cylinders_.update(now, features.circles, circle_is_leg_, options_);
   reported_.clear();
   report(people_.tracks());
+  people_.spread_ids();
   hide_unreported(static_cast<int>(features.legs.size()));
   report(cylinders_.tracks());
   std::sort(reported_.begin(), reported_.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
@@ -88,8 +89,7 @@ void Tracker::hide_unreported(int num_legs) {
 
 void Tracker::report(std::vector<LiveTrack>& tracks) {
   for (LiveTrack& track : tracks) {
-    if (!track.is_confirmed(options_) || !track.is_at_hand(options_)) continue;
-    if (track.kind != TrackKind::kCylinder && track.score() < options_.min_score) continue;
+    if (!track.is_shown(options_)) continue;
     if (track.id == 0) track.id = ++last_id_;
     reported_.push_back(seen_from(X_WS_, track));
   }

@@ -209,5 +209,34 @@ TEST(LiveTrackTest, IsSeenFromTheSensor) {
   EXPECT_NEAR((seen.velocity_m_per_s - Eigen::Vector2d(0.0, -1.0)).norm(), 0.0, 1e-12);
 }
 
+TEST(LiveTrackTest, LegsOfThreeScansTellTracksApart) {
+  const auto after = [](std::initializer_list<std::pair<int, int>> scans) {
+    std::uint64_t legs = 0;
+    for (const auto& [feature, second_feature] : scans) legs = with_legs(legs, feature, second_feature);
+    return legs;
+  };
+  EXPECT_EQ(after({{5, 6}, {0, 1}, {2, kNoFeature}, {3, 4}}),
+            after({{7, 8}, {0, 1}, {2, kNoFeature}, {3, 4}}));
+  EXPECT_NE(after({{0, 1}, {2, kNoFeature}, {3, 4}}), after({{1, 0}, {2, kNoFeature}, {3, 4}}));
+  EXPECT_NE(after({{0, 1}, {2, 0}, {3, 4}}), after({{0, 1}, {2, kNoFeature}, {3, 4}}));
+}
+
+TEST(LiveTrackTest, PeopleAreShownWhenLikelyEnoughAndCylindersAlways) {
+  LiveTrack track;
+  track.num_hits = 2;
+  track.log_odds = log_odds_of(0.6);
+  TrackOptions options;
+  options.min_score = 0.7;
+  EXPECT_FALSE(track.is_shown(options));
+  options.min_score = 0.5;
+  EXPECT_TRUE(track.is_shown(options));
+  options.num_confirming_hits = 3;
+  EXPECT_FALSE(track.is_shown(options));
+  track.num_hits = 3;
+  track.kind = TrackKind::kCylinder;
+  options.min_score = 0.7;
+  EXPECT_TRUE(track.is_shown(options));
+}
+
 }  // namespace
 }  // namespace scanbed

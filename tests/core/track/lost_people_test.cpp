@@ -59,21 +59,21 @@ TEST(LostPeopleTest, ForgetsAfterTheTimeInTheOptions) {
   EXPECT_TRUE(lost.people().empty());
 }
 
-// v exp(-t / 1 s) leads v * 1 s farther in all; steps of 0.1 s overshoot by half a step of the first.
+// v exp(-t / 2 s) leads v * 2 s farther in all; steps of 0.1 s overshoot by half a step of the first.
 TEST(LostPeopleTest, ExpectsThemEverLessFarAheadAndEverLessExactly) {
   LostPeople lost;
   lost.remember(walker(1, {2.0, 0.0}, {1.0, 0.0}));
   wait(lost, 1.0);
   const LiveTrack after_1_s = lost.people()[0];
-  EXPECT_NEAR(after_1_s.point.p_m.x(), 2.0 + 1.0 - std::exp(-1.0), 0.05);
-  wait(lost, 5.0);
-  EXPECT_NEAR(lost.people()[0].point.p_m.x(), 3.0, 0.06);
+  EXPECT_NEAR(after_1_s.point.p_m.x(), 2.0 + 2.0 * (1.0 - std::exp(-0.5)), 0.05);
+  wait(lost, 8.9);
+  EXPECT_NEAR(lost.people()[0].point.p_m.x(), 2.0 + 2.0 * (1.0 - std::exp(-4.95)), 0.06);
   EXPECT_GT(lost.people()[0].point.var_p_m2, after_1_s.point.var_p_m2);
 }
 
-TEST(LostPeopleTest, OutOfSightAVelocityIsHalvedInLogarithmOf2) {
+TEST(LostPeopleTest, OutOfSightAVelocityIsHalvedInTwiceTheLogarithmOf2) {
   MovingPoint point{.v_m_per_s = {1.0, -2.0}};
-  for (int i = 0; i < 100; ++i) lose_way(point, std::log(2.0) / 100.0);
+  for (int i = 0; i < 100; ++i) lose_way(point, 2.0 * std::log(2.0) / 100.0);
   EXPECT_TRUE(point.v_m_per_s.isApprox(Eigen::Vector2d(0.5, -1.0), 1e-9));
 }
 
@@ -115,12 +115,14 @@ TEST(LostPeopleTest, NobodyIsInTwoPlacesNorFasterThanWhoHurries) {
 
 TEST(LostPeopleTest, TakesOverIdAndEvidence) {
   LiveTrack missing = walker(7, {2.0, 0.0}, {1.0, 0.0});
+  missing.birth = 70;
   missing.log_odds = 2.0;
   missing.motion_evidence = 3.0;
   LiveTrack newcomer = newcomer_at({3.0, 1.0});
   newcomer.log_odds = 1.0;
   take_over(newcomer, missing, {});
   EXPECT_EQ(newcomer.id, 7);
+  EXPECT_EQ(newcomer.birth, 70u);
   EXPECT_EQ(newcomer.kind, TrackKind::kPerson);
   EXPECT_EQ(newcomer.num_hits, 21);
   EXPECT_NEAR(newcomer.log_odds, 0.8 * 2.0 + 0.2 * 1.0, 1e-12);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <utility>
 
 #include "tests/core/track/made_features.hpp"
 
@@ -46,6 +48,21 @@ class Stage {
 std::vector<Leg> legs_of_walker(const Eigen::Vector2d& p_m, double time_s) {
   const double swing_m = 0.25 * std::sin(6.0 * time_s);
   return {leg_at(p_m + Eigen::Vector2d(swing_m, 0.07)), leg_at(p_m + Eigen::Vector2d(-swing_m, -0.07))};
+}
+
+// A shin of somebody who walks along x, as the foot stands for 60 % of a cycle and is then
+// as far behind the hip as it was ahead; the shin is 0.3 of the way from foot to hip.
+double shin_ahead_m(double cycles, double stride_m) {
+  const double phase = cycles - std::floor(cycles);
+  const double foot = phase < 0.6 ? 0.3 - phase : -0.3 + (phase - 0.6) * 1.5;
+  return 0.7 * foot * stride_m;
+}
+
+// Both of them, at 1.37 m/s: a stride of 1.44 m in 1.05 s.
+std::vector<Leg> legs_by_gait(const Eigen::Vector2d& p_m, double forward, double cycles) {
+  const double left_m = forward * shin_ahead_m(cycles, 1.44);
+  const double right_m = forward * shin_ahead_m(cycles + 0.5, 1.44);
+  return {leg_at(p_m + Eigen::Vector2d(left_m, 0.065)), leg_at(p_m + Eigen::Vector2d(right_m, -0.065))};
 }
 
 TEST(PeopleTrackerTest, TwoLegsBecomeOnePerson) {
@@ -101,6 +118,71 @@ TEST(PeopleTrackerTest, TwoWhoMeetHeadOnKeepTheirTracks) {
   for (const LiveTrack& track : stage.tracks()) EXPECT_EQ(track.num_hits, 50);
   EXPECT_EQ(stage.tracks()[0].point.v_m_per_s.x() > 0.0, first_goes_right);
   EXPECT_NEAR(stage.tracks()[0].point.p_m.y(), first_goes_right ? 2.4 : 3.1, 0.1);
+}
+
+// Half a metre apart their legs are as near to each other as to their own; with 5 scans a second.
+TEST(PeopleTrackerTest, TwoWhoBrushPastEachOtherKeepTheirTracksInAnyStep) {
+  for (int phase = 0; phase < 100; ++phase) {
+    Stage stage(0.19);
+    const auto show = [&] {
+      const double along_m = -2.5 + 1.37 * stage.time_s();
+      const double cycles = stage.time_s() / 1.05;
+      std::vector<Leg> legs = legs_by_gait({along_m, 2.0}, 1.0, cycles + 0.1 * (phase % 10));
+      for (const Leg& leg : legs_by_gait({-along_m, 2.5}, -1.0, cycles + 0.1 * (phase / 10)))
+        legs.push_back(leg);
+      stage.show(legs);
+    };
+    for (int i = 0; i < 6; ++i) show();
+    ASSERT_EQ(stage.tracks().size(), 2u) << phase;
+    const std::uint64_t birth = stage.tracks()[0].birth;
+    const bool first_goes_right = stage.tracks()[0].point.v_m_per_s.x() > 0.0;
+    for (int i = 0; i < 14; ++i) show();
+    ASSERT_EQ(stage.tracks().size(), 2u) << phase;
+    EXPECT_EQ(stage.tracks()[0].birth, birth) << phase;
+    EXPECT_NEAR(stage.tracks()[0].point.p_m.y(), first_goes_right ? 2.0 : 2.5, 0.1) << phase;
+    EXPECT_EQ(stage.tracks()[0].point.v_m_per_s.x() > 0.0, first_goes_right) << phase;
+  }
+}
+
+// Two stand 0.9 m apart and are not seen in one scan. Then one leg shows between them, a little nearer to
+// the first: only when the first turns out to stand where it stood is it plain that the second one has moved.
+TEST(PeopleTrackerTest, WhoseALegIsMayShowAScanLater) {
+  Stage stage(0.2);
+  for (int i = 0; i < 10; ++i)
+    stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1}), leg_at({2.0, 1.0}), leg_at({2.0, 0.8})});
+  ASSERT_EQ(stage.tracks().size(), 2u);
+  const std::uint64_t first = stage.tracks()[0].birth;
+  const std::uint64_t second = stage.tracks()[1].birth;
+  stage.show({});
+  stage.show({leg_at({2.0, 0.43})});
+  for (int i = 0; i < 2; ++i)
+    stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1}), leg_at({2.0, 0.43}), leg_at({2.0, 0.65})});
+  ASSERT_EQ(stage.tracks().size(), 2u);
+  for (const LiveTrack& track : stage.tracks()) {
+    ASSERT_TRUE(track.birth == first || track.birth == second);
+    EXPECT_NEAR(track.point.p_m.y(), track.birth == first ? 0.0 : 0.54, 0.15);
+  }
+}
+
+// The test gives ids as the tracker does: to what is shown, and from there to all hypotheses.
+TEST(PeopleTrackerTest, ATrackHasItsIdInAllHypotheses) {
+  PeopleTracker tracker;
+  int last_id = 0;
+  std::set<std::pair<std::uint64_t, int>> seen;
+  for (int i = 0; i < 30; ++i) {
+    const LaserScan scan = open_scan(0.2 * i);
+    const std::vector<Leg> legs = {leg_at({2.0, 0.2 + 0.05 * (i % 3)}), leg_at({2.0, -0.1}),
+                                   leg_at({2.0, 0.55 - 0.05 * (i % 2)}), leg_at({2.0, 0.7})};
+    tracker.update({scan, {}, i == 0 ? 0.0 : 0.2}, legs, TrackOptions{});
+    for (LiveTrack& track : tracker.tracks()) {
+      if (track.id == 0) track.id = ++last_id;
+      seen.insert({track.birth, track.id});
+    }
+    tracker.spread_ids();
+  }
+  std::set<std::uint64_t> births;
+  for (const auto& [birth, id] : seen) births.insert(birth);
+  EXPECT_EQ(births.size(), seen.size());
 }
 
 // Two stand a metre apart; one of them is out of sight for 0.4 s, of the other one leg is. A leg that shows
