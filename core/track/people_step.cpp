@@ -20,12 +20,18 @@ constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is no
 constexpr double kMaxSurprise = 12.0;        // of a leg that is still a track's: 3.5 standard deviations
 constexpr double kMaxSplitSurprise = 4.0;    // of a leg that may be a part of another one
 constexpr double kSplit_m = 0.13;            // between the parts of one leg
-constexpr double kAwaySurprise = 2.0;     // of whoever was not seen in the last scan to be seen in this one
-constexpr double kStride_m = 0.35;        // of a leg from the person's middle: widens the gate
-constexpr double kMaxStride_m = 0.7;      // between a person's legs
-constexpr double kAbsorbLeg_m = 0.55;     // of a single leg from a person that lacks one
-constexpr double kAbsorbPerson_m = 0.35;  // of two people with one leg each
-constexpr double kWalkDistance_m = 0.7;   // what moves so far within the window walks
+constexpr double kAwaySurprise = 2.0;   // of whoever was not seen in the last scan to be seen in this one
+constexpr double kWidthSigma_m = 0.02;  // of a leg's width, beside the spacing of beams
+constexpr double kNarrowRatio = 3.0;    // by which a leg is rather too narrow than too wide
+constexpr double kMaxWidthSurprise = 6.0;
+constexpr double kUsualWidthSurprise = 0.7;  // of the own legs
+constexpr double kWidthGain = 0.08;          // share of a new width in the mean, at least
+constexpr int kMinWidths = 5;                // hits, before which the mean says nothing
+constexpr double kStride_m = 0.35;           // of a leg from the person's middle: widens the gate
+constexpr double kMaxStride_m = 0.7;         // between a person's legs
+constexpr double kAbsorbLeg_m = 0.55;        // of a single leg from a person that lacks one
+constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
+constexpr double kWalkDistance_m = 0.7;      // what moves so far within the window walks
 constexpr double kPersonRadius_m = 0.25;
 constexpr double kLegRadius_m = 0.10;
 constexpr std::uint64_t kMaxBirths = 1u << 16;  // of a scan
@@ -82,7 +88,25 @@ void PeopleStep::begin(const TrackedScan& now, const std::vector<Leg>& legs, con
   ++num_scans_;
   p_WL_m_.clear();
   for (const Leg& leg : legs) p_WL_m_.push_back(now.X_WS * leg.middle_m);
+  measure_widths();
   price_legs();
+}
+
+void PeopleStep::measure_widths() {
+  widths_.clear();
+  for (const Leg& leg : *legs_) {
+    const double spacing_m = std::abs(now_->scan.geometry.step_rad) * leg.middle_m.norm();
+    widths_.push_back({(leg.beams.last - leg.beams.first + 1) * spacing_m, kWidthSigma_m + spacing_m});
+  }
+}
+
+// A weak sign of who it is: a child's legs are thin, a skirt is wide. What something nearer hides in part
+// looks narrower than it is.
+double PeopleStep::surprise_of_width(const LiveTrack& track, int leg) const {
+  if (track.num_hits < kMinWidths) return 0.0;
+  double off = (widths_[leg].width_m - track.leg_width_m) / widths_[leg].sigma_m;
+  if (off < 0.0) off /= kNarrowRatio;
+  return std::min(kMaxWidthSurprise, off * off) - kUsualWidthSurprise;
 }
 
 // A leg may be split in two, by a fold of clothes: then the less sure part needs nobody to explain it.
@@ -115,7 +139,9 @@ void PeopleStep::claim(const PeopleHypothesis& hypothesis, LegClaims& claims) {
       if (distance_m2 >= gate_m * gate_m) continue;
       near_legs_.push_back(leg);
       if (track.is_person()) continue;
-      claims.add({.track = index, .first = leg, .gain = price_[leg] - surprise_of_leg(distance_m2, track)});
+      claims.add({.track = index,
+                  .first = leg,
+                  .gain = price_[leg] - surprise_of_leg(distance_m2, track) - surprise_of_width(track, leg)});
     }
     if (track.is_person() && !near_legs_.empty()) claim_for_person(index, track, claims);
   }
@@ -127,12 +153,15 @@ void PeopleStep::claim_for_person(int index, const LiveTrack& person, LegClaims&
   for (std::size_t i = 0; i < near_legs_.size(); ++i) {
     const int a = near_legs_[i];
     const Eigen::Vector2d& p_WA_m = p_WL_m_[a];
-    claims.add({.track = index, .first = a, .gain = price_[a] - expectation.surprise_of(p_WA_m) - away});
+    const double width_a = surprise_of_width(person, a);
+    claims.add(
+        {.track = index, .first = a, .gain = price_[a] - expectation.surprise_of(p_WA_m) - away - width_a});
     for (std::size_t k = i + 1; k < near_legs_.size(); ++k) {
       const int b = near_legs_[k];
       const Eigen::Vector2d& p_WB_m = p_WL_m_[b];
       if ((p_WA_m - p_WB_m).squaredNorm() > kMaxStride_m * kMaxStride_m) continue;
-      const double surprise = expectation.surprise_of(p_WA_m, p_WB_m) + away;
+      const double surprise =
+          expectation.surprise_of(p_WA_m, p_WB_m) + away + width_a + surprise_of_width(person, b);
       claims.add({.track = index, .first = a, .second = b, .gain = price_[a] + price_[b] - surprise});
     }
   }
@@ -171,6 +200,11 @@ void PeopleStep::correct(LiveTrack& track) const {
     measured_m = (measured_m + p_WL_m_[track.second_feature]) / 2;
     sigma_m = kBothLegsSigma_m;
   }
+  for (const int leg : {track.feature, track.second_feature}) {
+    if (leg != kNoFeature)
+      track.leg_width_m +=
+          std::max(kWidthGain, 1.0 / (track.num_hits + 1.0)) * (widths_[leg].width_m - track.leg_width_m);
+  }
   track.point.correct(measured_m, sigma_m);
   track.count_hit(log_odds, *now_, *options_);
   if (!track.is_person() && track.history.net_displacement_m() > kWalkDistance_m)
@@ -186,6 +220,7 @@ void PeopleStep::begin_tracks(std::vector<LiveTrack>& tracks) const {
     track.point.var_p_m2 = kLegSigma_m * kLegSigma_m;
     track.point.var_v_m2_per_s2 = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
     track.feature = i;
+    track.leg_width_m = widths_[i].width_m;
     track.count_hit(log_odds_of((*legs_)[i].score), *now_, *options_);
     tracks.push_back(track);
   }

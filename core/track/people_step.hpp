@@ -37,12 +37,18 @@ class PeopleStep {
   void explain(PeopleHypothesis& hypothesis, std::span<const LegClaim> claim_of_track);
 
  private:
+  struct Width {
+    double width_m = 0.0;
+    double sigma_m = 0.0;
+  };
   struct Pair {
     double distance_m = 0.0;
     int a = 0, b = 0;
   };
 
+  void measure_widths();
   void price_legs();
+  double surprise_of_width(const LiveTrack& track, int leg) const;
   void claim_for_person(int index, const LiveTrack& person, LegClaims& claims);
   void correct(LiveTrack& track) const;
   void begin_tracks(std::vector<LiveTrack>& tracks) const;
@@ -56,6 +62,7 @@ class PeopleStep {
   std::uint64_t num_scans_ = 0;
   std::vector<Eigen::Vector2d> p_WL_m_;  ///< the scan's legs in the world
   std::vector<double> price_;            ///< of leaving each of them unexplained
+  std::vector<Width> widths_;            ///< of the legs
   std::vector<char> leg_taken_;
   std::vector<int> near_legs_;
   std::vector<Pair> pairs_;

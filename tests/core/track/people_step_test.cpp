@@ -101,6 +101,29 @@ TEST(PeopleStepTest, APartOfALegCostsLittleUnexplained) {
   EXPECT_NEAR(gain_of_leg(0.12, 0.3), gain, 1e-9);  // the other one is the part
 }
 
+// At 2 m beams are 2 m times their step apart. Two beams more than the mean are 2 spacings off, of 0.02 m and
+// one spacing; two fewer are a third of that.
+TEST(PeopleStepTest, AWidthThatIsNotTheOwnIsASurprise) {
+  const auto leg_of = [](int num_beams) {
+    Leg leg = leg_at({2.0, 0.0});
+    leg.beams = {100, 100 + num_beams - 1};
+    return leg;
+  };
+  Story story;
+  for (int i = 0; i < 20; ++i) story.show({leg_of(6)});
+  const double own = story.look({leg_of(6)}).front().gain;
+  Story of_wide;
+  for (int i = 0; i < 20; ++i) of_wide.show({leg_of(6)});
+  const double wide = of_wide.look({leg_of(8)}).front().gain;
+  Story of_narrow;
+  for (int i = 0; i < 20; ++i) of_narrow.show({leg_of(6)});
+  const double narrow = of_narrow.look({leg_of(4)}).front().gain;
+  const double spacing_m = 2.0 * ScanGeometry{}.step_rad;
+  const double off = 2.0 * spacing_m / (0.02 + spacing_m);
+  EXPECT_NEAR(own - wide, off * off, 1e-9);
+  EXPECT_NEAR(own - narrow, off * off / 9.0, 1e-9);
+}
+
 TEST(PeopleStepTest, NoPairIsWiderThanAStep) {
   for (const auto& [apart_m, is_pair] : {std::pair{0.65, true}, {0.75, false}}) {
     Story story;
