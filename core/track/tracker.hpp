@@ -13,8 +13,8 @@
 namespace scanbed {
 
 /// Follows people, legs and cylinders from scan to scan while the sensor moves: constant-velocity Kalman
-/// filters in a world frame, one-to-one assignment within gates. Keeps its buffers, so that it allocates
-/// nothing once it has seen as much at a time as it will.
+/// filters in a world frame; circles are assigned one-to-one within gates, legs as PeopleTracker says. Keeps
+/// its buffers, so that it allocates nothing once it has seen as much at a time as it will.
 class Tracker {
  public:
   /// @throws InputError where the options do not validate.
