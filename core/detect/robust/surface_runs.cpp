@@ -14,6 +14,7 @@ struct GapBound {
   GapBound(const Echoes& e, const SurfaceOptions& options)
       : least_m(options.min_gap_m + 3.0 * e.range_noise_m),
         per_range(options.gap_spacings * e.step_rad),
+        most_beams(options.max_speck_beams + 1),
         beam(e.beam.data()),
         r_m(e.range_m.data()),
         x_m(e.x_m.data()),
@@ -23,12 +24,15 @@ struct GapBound {
   double margin_m2(int a, int b) const {
     const double dx_m = x_m[b] - x_m[a];
     const double dy_m = y_m[b] - y_m[a];
-    const double bound_m = least_m + per_range * std::min(r_m[a], r_m[b]) * (beam[b] - beam[a]);
+    // Beyond a few missing beams it is no longer known what lies between.
+    const int num_beams = std::min(beam[b] - beam[a], most_beams);
+    const double bound_m = least_m + per_range * std::min(r_m[a], r_m[b]) * num_beams;
     return bound_m * bound_m - (dx_m * dx_m + dy_m * dy_m);
   }
 
   double least_m;
   double per_range;
+  int most_beams;
   const int* beam;
   const double* r_m;
   const double* x_m;

@@ -53,6 +53,13 @@ TEST(SurfaceRunsTest, AWallAtGrazingIncidenceStaysOne) {
   EXPECT_EQ(num_runs_of(scene), 1);
 }
 
+TEST(SurfaceRunsTest, NoWallIsSeenWhereManyBeamsAreLost) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {4.0, -0.5});
+  scene.wall({4.0, 0.5}, {4.0, 3.0});  // an open door between
+  EXPECT_EQ(num_runs_of(scene), 2);
+}
+
 TEST(SurfaceRunsTest, NoEchoesMakeNoSurfaces) {
   EXPECT_EQ(runs_of({}).num_runs(), 0);
 }
