@@ -164,6 +164,8 @@ const std::array kTable = {
     surface<&SurfaceOptions::max_doubt>("surface.max_doubt", "a circle needs no more gain than this"),
     surface<&SurfaceOptions::max_chi2_per_point>("surface.max_chi2_per_point",
                                                  "lines and circles that fit worse are not reported"),
+    surface<&SurfaceOptions::max_direction_sigma_rad>("surface.max_direction_sigma_rad",
+                                                      "lines of a more uncertain direction are not reported"),
     surface<&SurfaceOptions::min_radius_m>("surface.min_radius_m", "thinner arcs are no circles"),
     surface<&SurfaceOptions::max_radius_m>("surface.max_radius_m", "thicker arcs are no circles"),
 

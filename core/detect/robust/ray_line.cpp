@@ -86,6 +86,11 @@ RayLine RayLineSums::solve(const Sums<double>& s) {
   RayLine line;
   line.inverse_m = Eigen::Vector2d(s.qyy * s.qx - s.qxy * s.qy, s.qxx * s.qy - s.qxy * s.qx) / determinant;
   line.chi2 = std::max(0.0, s.q - line.inverse_m.x() * s.qx - line.inverse_m.y() * s.qy);
+  // The covariance of (a, b) is the inverse of the matrix of the sums; the direction feels what lies across.
+  const auto [a, b] = std::pair(line.inverse_m.x(), line.inverse_m.y());
+  const double norm2 = a * a + b * b;
+  const double across = s.qxx * a * a + 2.0 * s.qxy * a * b + s.qyy * b * b;
+  line.direction_rad2 = across / (determinant * norm2 * norm2);
   return line;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
@@ -15,6 +16,7 @@ namespace scanbed {
 struct RayLine {
   Eigen::Vector2d inverse_m = Eigen::Vector2d::Zero();  ///< (a, b): normal of the wall / its distance
   double chi2 = 0.0;  ///< sum of squared range residuals in units of their sigma
+  double direction_rad2 = std::numeric_limits<double>::infinity();  ///< variance of its direction
 };
 
 /// Sums from which the line through any stretch of echoes is fitted in constant time.

@@ -43,6 +43,8 @@ void validate_prices(const SurfaceOptions& o) {
   require_price(o.max_doubt, "surface.max_doubt");
   require(o.max_chi2_per_point > 0.0 && o.max_chi2_per_point <= 1000.0, "surface.max_chi2_per_point",
           o.max_chi2_per_point, "(0, 1000]");
+  require(o.max_direction_sigma_rad > 0.0 && o.max_direction_sigma_rad <= kPi,
+          "surface.max_direction_sigma_rad", o.max_direction_sigma_rad, "(0, 3.1416]");
 }
 
 }  // namespace

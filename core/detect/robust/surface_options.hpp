@@ -29,8 +29,9 @@ struct SurfaceOptions {
   double doubt_start = 6.0;         ///< ... beyond this ...
   double max_doubt = 6.0;           ///< ... but no more than this
   double max_chi2_per_point = 2.5;  ///< pieces that fit worse are not reported
-  double min_radius_m = 0.03;       ///< thinner arcs are no circles
-  double max_radius_m = 1.2;        ///< thicker ones neither
+  double max_direction_sigma_rad = radians(2.9);  ///< lines of a more uncertain direction are not reported
+  double min_radius_m = 0.03;                     ///< thinner arcs are no circles
+  double max_radius_m = 1.2;                      ///< thicker ones neither
 
   /// Chi squared that so many points of a good piece do not exceed.
   double max_chi2(int num_points) const { return max_chi2_per_point * num_points + 6.0; }

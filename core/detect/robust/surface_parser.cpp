@@ -8,8 +8,6 @@
 namespace scanbed {
 namespace {
 
-// Below this a line runs along y so nearly that its slope says nothing.
-constexpr double kMinCosine = 1e-6;
 constexpr int kMinSurfaceEchoes = 3;
 constexpr int kMinJoinedEchoes = 2;  // of a surface that may be a column's part
 // Between two parts of a column: beams without a nearer echo say that nothing hides its middle.
@@ -39,7 +37,7 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
   for (const Arc& arc : arcs_) {
     if (arc.gain > arc.doubt) report_arc(surfaced, arc, features);
   }
-  report_lines(surfaced, features);
+  wall_lines_.append(echoes, sums_, pieces_, options, features.lines);
 }
 
 void SurfaceParser::explain(Stretch surface) {
@@ -126,50 +124,6 @@ void SurfaceParser::release(Explained& surface) {
   for (LinePiece& piece : pieces_of(surface)) piece.is_taken = true;
   constexpr double kNeverSure = std::numeric_limits<double>::infinity();
   for (int i = 0; i < surface.num_arcs; ++i) arcs_[surface.first_arc + i].doubt = kNeverSure;
-}
-
-void SurfaceParser::report_lines(const SurfacedScan& scan, Features& features) const {
-  const double min_length_m = options_->line.min_length_m;
-  const double min_chord_m2 = min_length_m * min_length_m;
-  for (const LinePiece& piece : pieces_) {
-    const int num_echoes = piece.places.size();
-    const Eigen::Vector2d chord_m =
-        scan.echoes.point_m(piece.places.last) - scan.echoes.point_m(piece.places.first);
-    // All at once, as each alone is hard to foresee. No line is longer than the chord of its ends.
-    const bool is_out = piece.is_taken | (num_echoes < options_->line.min_points) |
-                        (piece.chi2 > options_->surface.max_chi2(num_echoes)) |
-                        (chord_m.squaredNorm() < min_chord_m2);
-    if (is_out) continue;
-    const Line line = line_of(scan, piece);
-    if ((line.right_m - line.left_m).squaredNorm() >= min_chord_m2) features.lines.push_back(line);
-  }
-}
-
-// Ends and errors on the line that rays see, which weighs grazing echoes rightly.
-Line SurfaceParser::line_of(const SurfacedScan& scan, const LinePiece& piece) const {
-  const Echoes& echoes = scan.echoes;
-  const auto [first, last] = piece.places;
-  const Eigen::Vector2d inverse_m = sums_.fit(piece.places).inverse_m;
-  const double distance_m = 1.0 / inverse_m.norm();
-  const Eigen::Vector2d normal = inverse_m * distance_m;
-  const auto off_m = [&](int place) {
-    return distance_m - (normal.x() * echoes.x_m[place] + normal.y() * echoes.y_m[place]);
-  };
-  const auto foot_m = [&](int place) {
-    return Eigen::Vector2d(echoes.point_m(place) + off_m(place) * normal);
-  };
-  Line line;
-  line.beams = {echoes.beam[first], echoes.beam[last]};
-  line.left_m = foot_m(first);
-  line.right_m = foot_m(last);
-  if (std::abs(normal.y()) > kMinCosine) {
-    line.slope = -normal.x() / normal.y();
-    line.bias_m = distance_m / normal.y();
-  }
-  line.num_points = piece.places.size();
-  for (int k = first; k <= last; ++k) line.error_m = std::max(line.error_m, std::abs(off_m(k)));
-  line.score = 1.0 - 2.0 / line.num_points;
-  return line;
 }
 
 void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, Features& features) const {

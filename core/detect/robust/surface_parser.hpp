@@ -11,6 +11,7 @@
 #include "core/detect/robust/line_pieces.hpp"
 #include "core/detect/robust/ray_line.hpp"
 #include "core/detect/robust/surface_runs.hpp"
+#include "core/detect/robust/wall_lines.hpp"
 
 namespace scanbed {
 
@@ -50,8 +51,6 @@ class SurfaceParser {
   bool join(Explained& before, Explained& after);
   void release(Explained& surface);
   std::span<LinePiece> pieces_of(const Explained& surface);
-  void report_lines(const SurfacedScan& scan, Features& features) const;
-  Line line_of(const SurfacedScan& scan, const LinePiece& piece) const;
   void report_arc(const SurfacedScan& scan, const Arc& arc, Features& features) const;
 
   const DetectorOptions* options_ = nullptr;
@@ -60,6 +59,7 @@ class SurfaceParser {
   RayLineSums sums_;
   LineSplitter line_splitter_;
   ArcFinder arc_finder_;
+  WallLines wall_lines_;
   std::vector<Explained> surfaces_;
   std::vector<LinePiece> pieces_;
   std::vector<Arc> arcs_;

@@ -52,6 +52,32 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
   EXPECT_NEAR(ratio, 1.0, 0.1);  // 50 runs of some 110 echoes: 4 sigma are 0.08
 }
 
+TEST(RayLineTest, TheDirectionIsAsUncertainAsPositionsAlongTheWallLeaveIt) {
+  IdealScene scene;
+  scene.wall({4.0, -0.3}, {4.0, 0.3});  // seen head-on: errors of range are errors across the wall
+  const Fitted fitted = fit_all(scene.scan());
+  double sum_m2 = 0.0;
+  for (int k = 0; k < fitted.echoes.size(); ++k) sum_m2 += fitted.echoes.y_m[k] * fitted.echoes.y_m[k];
+  const double expected_rad2 = fitted.echoes.range_noise_m * fitted.echoes.range_noise_m / sum_m2;
+  // Beams at 4.3 degrees see the wall from its side: 0.6 % of a variance.
+  EXPECT_NEAR(fitted.line.direction_rad2, expected_rad2, 0.01 * expected_rad2);
+}
+
+TEST(RayLineTest, TheUncertaintyOfADirectionIsThatOfItsErrors) {
+  double sum_rad2 = 0.0;
+  double expected_rad2 = 0.0;
+  constexpr int kRepeats = 400;
+  for (int seed = 0; seed < kRepeats; ++seed) {
+    const Fitted fitted = fit_all(with_noise(wall_scan(), 0.006, static_cast<unsigned>(seed)));
+    const double error_rad =
+        std::atan2(fitted.line.inverse_m.y(), fitted.line.inverse_m.x()) - std::atan2(-1.0, 2.5);
+    const double true_sigmas = 0.006 / fitted.echoes.range_noise_m;
+    sum_rad2 += error_rad * error_rad / kRepeats;
+    expected_rad2 += fitted.line.direction_rad2 * true_sigmas * true_sigmas / kRepeats;
+  }
+  EXPECT_NEAR(sum_rad2 / expected_rad2, 1.0, 0.28);  // 4 sigma of a variance from 400 errors
+}
+
 double chi2_of_two(const RayLineSums& sums, Stretch places, int cut) {
   const auto chi2 = [&](Stretch part) { return part.size() == 1 ? 0.0 : sums.fit(part).chi2; };
   return chi2({places.first, cut}) + chi2({cut + 1, places.last});

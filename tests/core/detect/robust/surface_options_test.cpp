@@ -38,6 +38,7 @@ TEST(SurfaceOptionsTest, EachBadFieldIsNamed) {
       {"surface.doubt_start", [](SurfaceOptions& o) { o.doubt_start = -1.0; }},
       {"surface.max_doubt", [](SurfaceOptions& o) { o.max_doubt = 2000.0; }},
       {"surface.max_chi2_per_point", [](SurfaceOptions& o) { o.max_chi2_per_point = 0.0; }},
+      {"surface.max_direction_sigma_rad", [](SurfaceOptions& o) { o.max_direction_sigma_rad = 0.0; }},
       {"surface.min_radius_m", [](SurfaceOptions& o) { o.min_radius_m = 0.0; }},
       {"surface.max_radius_m", [](SurfaceOptions& o) { o.max_radius_m = 0.01; }},
   };

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "core/detect/robust/wall_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanbed {
+namespace {
+
+// Below this a line runs along y so nearly that its slope says nothing.
+constexpr double kMinCosine = 1e-6;
+// Directions that are known so well need no care.
+constexpr double kSureDirection_rad = radians(1.0);
+// Chi squared by which an echo at the end of a piece is beyond a corner rather than on its wall: some 2.5
+// sigma.
+constexpr double kForeignEnd = 6.0;
+// Pieces whose line passes the middle of a short one farther off are other walls. Quick to see.
+constexpr double kOtherWall_m = 0.1;
+// Pieces to each side that are compared with a short one: a scan may have no end of them.
+constexpr std::size_t kMaxPiecesBetween = 16;
+
+bool may_be_line(const Echoes& echoes, const LinePiece& piece, const DetectorOptions& options) {
+  const int num_echoes = piece.places.size();
+  const Eigen::Vector2d chord_m = echoes.point_m(piece.places.last) - echoes.point_m(piece.places.first);
+  // All at once, as each alone is hard to foresee. No line is longer than the chord of its ends.
+  return !piece.is_taken & (num_echoes >= options.line.min_points) &
+         (piece.chi2 <= options.surface.max_chi2(num_echoes)) &
+         (chord_m.squaredNorm() >= options.line.min_length_m * options.line.min_length_m);
+}
+
+bool is_sure(const RayLine& line) {
+  return line.direction_rad2 <= kSureDirection_rad * kSureDirection_rad;
+}
+
+bool passes_near(const RayLine& line, const Eigen::Vector2d& p_m) {
+  const double off = line.inverse_m.dot(p_m) - 1.0;
+  return off * off <= kOtherWall_m * kOtherWall_m * line.inverse_m.squaredNorm();
+}
+
+// Ends and errors on the line that rays see, which weighs grazing echoes rightly.
+Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& inverse_m) {
+  const auto [first, last] = places;
+  const double distance_m = 1.0 / inverse_m.norm();
+  const Eigen::Vector2d normal = inverse_m * distance_m;
+  const auto off_m = [&](int place) {
+    return distance_m - (normal.x() * echoes.x_m[place] + normal.y() * echoes.y_m[place]);
+  };
+  const auto foot_m = [&](int place) {
+    return Eigen::Vector2d(echoes.point_m(place) + off_m(place) * normal);
+  };
+  Line line;
+  line.beams = {echoes.beam[first], echoes.beam[last]};
+  line.left_m = foot_m(first);
+  line.right_m = foot_m(last);
+  if (std::abs(normal.y()) > kMinCosine) {
+    line.slope = -normal.x() / normal.y();
+    line.bias_m = distance_m / normal.y();
+  }
+  line.num_points = places.size();
+  for (int k = first; k <= last; ++k) line.error_m = std::max(line.error_m, std::abs(off_m(k)));
+  line.score = 1.0 - 2.0 / line.num_points;
+  return line;
+}
+
+}  // namespace
+
+void WallLines::append(const Echoes& echoes, const RayLineSums& sums, std::span<const LinePiece> pieces,
+                       const DetectorOptions& options, std::vector<Line>& lines) {
+  sums_ = &sums;
+  collect(echoes, pieces, options);
+  const double max_rad2 = options.surface.max_direction_sigma_rad * options.surface.max_direction_sigma_rad;
+  const double min_chord_m2 = options.line.min_length_m * options.line.min_length_m;
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    RayLine best = walls_[i].line;
+    if (!is_sure(best)) best = line_with_others(i, echoes, options.surface.line_price);
+    if (best.direction_rad2 > max_rad2) continue;
+    const Line line = line_of(echoes, walls_[i].places, best.inverse_m);
+    if ((line.right_m - line.left_m).squaredNorm() >= min_chord_m2) lines.push_back(line);
+  }
+}
+
+void WallLines::collect(const Echoes& echoes, std::span<const LinePiece> pieces,
+                        const DetectorOptions& options) {
+  walls_.clear();
+  for (const LinePiece& piece : pieces) {
+    if (!may_be_line(echoes, piece, options)) continue;
+    Wall& wall = walls_.emplace_back(piece.places, sums_->fit(piece.places));
+    if (!is_sure(wall.line)) drop_foreign_ends(wall, options.line.min_points);
+  }
+}
+
+// Echoes beyond a corner turn a short piece, while one of its own is hardly missed.
+void WallLines::drop_foreign_ends(Wall& wall, int min_points) const {
+  while (wall.line.chi2 > kForeignEnd && wall.places.size() > min_points) {
+    const auto [first, last] = wall.places;
+    const double behind = sums_->chi2_of({first + 1, last});
+    const double before = sums_->chi2_of({first, last - 1});
+    if (std::min(behind, before) > wall.line.chi2 - kForeignEnd) return;
+    wall.places = behind < before ? Stretch{first + 1, last} : Stretch{first, last - 1};
+    wall.line = sums_->fit(wall.places);
+  }
+}
+
+// Of the pieces that one line explains together with this one at less cost, that which tells most.
+RayLine WallLines::line_with_others(std::size_t wall, const Echoes& echoes, double line_price) const {
+  const auto& [places, alone] = walls_[wall];
+  const Eigen::Vector2d middle_m = 0.5 * (echoes.point_m(places.first) + echoes.point_m(places.last));
+  RayLine best = alone;
+  const std::size_t begin = wall - std::min(wall, kMaxPiecesBetween);
+  const std::size_t end = std::min(wall + 1 + kMaxPiecesBetween, walls_.size());
+  for (std::size_t i = begin; i < end; ++i) {
+    const Wall& other = walls_[i];
+    if (i == wall || !passes_near(other.line, middle_m)) continue;
+    const RayLine both = sums_->fit_both(places, other.places);
+    if (both.direction_rad2 >= best.direction_rad2) continue;
+    if (both.chi2 <= alone.chi2 + other.line.chi2 + line_price) best = both;
+  }
+  return best;
+}
+
+}  // namespace scanbed
