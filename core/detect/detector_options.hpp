@@ -94,7 +94,7 @@ inline DetectorOptions paper_options() {
 /// Ours, by SurfaceParser and ForestLegDetector: better than the paper's.
 inline DetectorOptions robust_options() {
   DetectorOptions options{.pipeline = Pipeline::kRobust};
-  options.circle.min_points = 5;
+  options.circle.min_points = 6;
   options.circle.min_length_m = 0.0;
   options.line.min_length_m = 0.2;
   options.leg.scorer = LegScorer::kForest;

@@ -149,12 +149,13 @@ const std::array kTable = {
     surface<&SurfaceOptions::arc_price>("surface.arc_price",
                                         "chi squared that an arc has to save; higher: fewer circles"),
     surface<&SurfaceOptions::clutter_price>("surface.clutter_price", "of a point that nothing explains"),
-    surface<&SurfaceOptions::hidden_end_price>("surface.hidden_end_price",
-                                               "of an arc's end at something nearer or at the edge of view"),
     surface<&SurfaceOptions::attached_end_price>("surface.attached_end_price",
                                                  "of an arc's end where its surface goes on"),
-    surface<&SurfaceOptions::unsure_arc_price>("surface.unsure_arc_price",
-                                               "what an arc with such an end has to gain to be a circle"),
+    surface<&SurfaceOptions::unsure_arc_price>(
+        "surface.unsure_arc_price", "what an arc with an end that is not free has to gain to be a circle"),
+    surface<&SurfaceOptions::hidden_end_price>(
+        "surface.hidden_end_price",
+        "the same on top for each end at something nearer or at the edge of view"),
     surface<&SurfaceOptions::shallow_arc_price>("surface.shallow_arc_price",
                                                 "the same on top where little of its round is in view"),
     surface<&SurfaceOptions::shallow_arc_rad>("surface.shallow_arc_rad", "less of a round in view is little"),

@@ -9,6 +9,9 @@ namespace scanbed {
 namespace {
 
 constexpr int kMaxPiecesOfArc = 9;
+// Fewer echoes say nothing of a round. Of so many the best is made even where a circle needs more: no line
+// lies on it.
+constexpr int kMinArcEchoes = 5;
 constexpr double kMinBulgeRatio = 0.03;
 constexpr int kMaxTrimmed = 4;  // of a part
 constexpr int kMaxTrimRounds = 3;
@@ -20,6 +23,11 @@ constexpr double kGoodChi2PerEcho = 1.5;
 constexpr double kAlgebraicExcess = 1.1;
 // ... but for mixed pixels, which may be dropped where there is enough to gain.
 constexpr double kMixedExcess = 1.6;
+
+// An arc of sagitta s has a mean squared deviation of so much s^2 from its line.
+constexpr double kArcOffLine = 4.0 / 45.0;
+// Sagitta over chord of an arc of 100 degrees: so much of something narrow is in view.
+constexpr double kSagittaRatio = 0.233;
 
 // Whether a point between two others bulges towards the sensor. Quick to see; what does not is no arc.
 inline bool bulges(const Eigen::Vector2d& first_m, const Eigen::Vector2d& between_m,
@@ -37,15 +45,22 @@ int Arc::num_echoes() const {
   return parts[0].size() + (num_parts == 2 ? parts[1].size() : 0);
 }
 
-void ArcFinder::begin(const SurfacedScan& scan, const DetectorOptions& options) {
+void ArcFinder::begin(const SurfacedScan& scan, const RayLineSums& sums, const DetectorOptions& options) {
   scan_.emplace(scan);
+  sums_ = &sums;
   options_ = &options;
   moments_.begin(scan.echoes);
+  const SurfaceOptions& o = options.surface;
+  least_chord_m2_ = 4.0 * o.min_radius_m * o.min_radius_m;
+  const double sigma_m = scan.echoes.range_noise_m / kSagittaRatio;
+  min_echoes_ = std::min(kMinArcEchoes, options.circle.min_points);
+  narrow_m2_ = std::max(o.arc_price - o.line_price, 0.0) / kArcOffLine * sigma_m * sigma_m;
 }
 
 void ArcFinder::find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs) {
   contenders_.clear();
   last_explained_piece_ = -1;
+  least_price_ = least_price_of(surface);
   const auto num_pieces = static_cast<int>(pieces.size());
   int end_of_short = 0;  // the first piece from i on that is too long for an arc
   for (int i = 0; i < num_pieces; ++i) {
@@ -62,9 +77,21 @@ bool ArcFinder::is_short(const LinePiece& piece) const {
   return (point_m(piece.places.last) - point_m(piece.places.first)).squaredNorm() <= thickest_m * thickest_m;
 }
 
+// What is so narrow that noise hides its depth, so that even a perfect arc would not gain what it costs more
+// than a line, is not asked to where it stands free: posts are round more often than they are slats.
+double ArcFinder::least_price_of(Stretch surface) const {
+  const int num_echoes = surface.size();
+  const bool may_be_narrow =
+      (least_chord_m2_ * num_echoes < narrow_m2_) & (num_echoes >= options_->circle.min_points);
+  if (!may_be_narrow) return options_->surface.arc_price;
+  const double chord_m2 = (point_m(surface.last) - point_m(surface.first)).squaredNorm();
+  const bool is_narrow = (chord_m2 * num_echoes < narrow_m2_) & (chord_m2 >= least_chord_m2_);
+  return is_narrow ? options_->surface.line_price : options_->surface.arc_price;
+}
+
 // Quick to see: what costs no more than the least arc, has too few echoes, or does not bulge is none.
 inline bool ArcFinder::may_be_arc(Stretch places, double cost) const {
-  return (cost > options_->surface.arc_price) & (places.size() >= options_->circle.min_points) &
+  return (cost > least_price_) & (places.size() >= min_echoes_) &
          bulges(point_m(places.first), point_m((places.first + places.last) / 2), point_m(places.last));
 }
 
@@ -110,9 +137,13 @@ bool ArcFinder::try_places(Stretch surface, double cost, Arc& arc) {
   const Stretch places = arc.parts[0];
   // The quick algebraic fit first: most fail it even if their ends were free.
   const std::optional<AlgebraicArc> algebraic = moments_.arc(places);
-  if (!is_worth_fitting(algebraic, cost - options_->surface.arc_price)) return false;
+  if (!is_worth_fitting(algebraic, cost - least_price_)) return false;
   const Ends ends = ends_of(surface, arc);
-  if (!is_worth_fitting(algebraic, cost - ends.price)) return false;
+  // What is too short for a line is of use only where it is surely a circle.
+  const double min_length_m = options_->line.min_length_m;
+  const double chord_m2 = (point_m(places.last) - point_m(places.first)).squaredNorm();
+  const double least_gain = chord_m2 < min_length_m * min_length_m ? doubt_of(ends) : 0.0;
+  if (!is_worth_fitting(algebraic, cost - ends.price - least_gain)) return false;
   arc.fit.cylinder = algebraic->cylinder;
   return settle(surface, cost, ends, arc);
 }
@@ -124,7 +155,7 @@ bool ArcFinder::is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, d
 
 std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
-  if (arc.num_echoes() < options_->circle.min_points) return std::nullopt;
+  if (arc.num_echoes() < min_echoes_) return std::nullopt;
   const Stretch both{before.first, after.last};
   const auto bulges_at = [&](int place) {
     return bulges(point_m(both.first), point_m(place), point_m(both.last));
@@ -141,13 +172,23 @@ std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
 // Fits an arc and says what it gains against what its echoes cost otherwise.
 bool ArcFinder::settle(Stretch surface, double cost, Ends ends, Arc& arc) {
   const int num_echoes = arc.num_echoes();
+  const Stretch places = arc.parts[0];
   if (!fit_trimmed(surface, cost, ends, arc) || !is_plausible(arc)) return false;
+  if (ends.num_free < 2 && arc.num_parts == 1) cost = std::min(cost, cost_as_line(places));
   arc.price = ends.price;
   const int num_dropped = num_echoes - arc.num_echoes();
   arc.gain = cost - arc.fit.chi2 - arc.price - options_->surface.clutter_price * num_dropped;
   if (arc.gain <= 0.0) return false;
   arc.doubt = doubt_of(arc, ends);
   return true;
+}
+
+// Of a line with the echo at one end given up: mixed with what lies beyond it, that alone may look like a
+// bend.
+double ArcFinder::cost_as_line(Stretch places) const {
+  const double behind = sums_->chi2_of({places.first + 1, places.last});
+  const double before = sums_->chi2_of({places.first, places.last - 1});
+  return options_->surface.line_price + options_->surface.clutter_price + std::min(behind, before);
 }
 
 bool ArcFinder::is_plausible(const Arc& arc) const {
@@ -158,15 +199,16 @@ bool ArcFinder::is_plausible(const Arc& arc) const {
 
 ArcFinder::Ends ArcFinder::ends_of(Stretch surface, const Arc& arc) const {
   const SurfaceOptions& o = options_->surface;
-  Ends ends{.witnesses = {}, .num_free = 0, .price = o.arc_price};
+  Ends ends{.witnesses = {}, .num_free = 0, .num_hidden = 0, .price = o.arc_price};
   const auto add = [&](int place, int direction) {
     const ArcEnd end = arc_end_at(*scan_, surface, place, direction);
     if (end.kind == ArcEndKind::kFree) ends.witnesses[ends.num_free++] = end.witness;
-    if (end.kind == ArcEndKind::kHidden) ends.price += o.hidden_end_price;
+    if (end.kind == ArcEndKind::kHidden) ++ends.num_hidden;
     if (end.kind == ArcEndKind::kAttached) ends.price += o.attached_end_price;
   };
   add(arc.parts[0].first, -1);
   add(arc.last_part().last, 1);
+  if (ends.num_free == 2 && arc.num_parts == 1) ends.price = least_price_;
   return ends;
 }
 
@@ -194,7 +236,7 @@ bool ArcFinder::drop_mixed_ends(Arc& arc) const {
     return arc.fit.squared_residual(echoes(), place) > kTrimResidual * kTrimResidual;
   };
   const int before = arc.num_echoes();
-  const int least = arc.num_parts == 1 ? options_->circle.min_points : kMinPartEchoes;
+  const int least = arc.num_parts == 1 ? min_echoes_ : kMinPartEchoes;
   for (int part = 0; part < arc.num_parts; ++part) {
     Stretch& places = arc.parts[part];
     while (places.size() > least && is_off(places.first)) ++places.first;
@@ -209,23 +251,24 @@ double ArcFinder::arc_in_view_rad(const Arc& arc) const {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
+double ArcFinder::doubt_of(const Ends& ends) const {
+  const SurfaceOptions& o = options_->surface;
+  return ends.num_free == 2 ? 0.0 : o.unsure_arc_price + o.hidden_end_price * ends.num_hidden;
+}
+
 double ArcFinder::doubt_of(const Arc& arc, const Ends& ends) const {
   const SurfaceOptions& o = options_->surface;
-  double doubt = 0.0;
-  if (ends.num_free < 2) {
-    doubt = o.unsure_arc_price;
-    if (arc_in_view_rad(arc) < o.shallow_arc_rad) doubt += o.shallow_arc_price;
-  }
+  double doubt = doubt_of(ends);
+  if (ends.num_free < 2 && arc_in_view_rad(arc) < o.shallow_arc_rad) doubt += o.shallow_arc_price;
   return std::max(doubt, std::min(o.doubt_ratio * (expected_gain(arc) - o.doubt_start), o.max_doubt));
 }
 
 // What lines would cost on a perfect arc, less what the arc itself costs: how much a true arc gains on
-// average. An arc of sagitta s has a mean squared deviation of (4/45) s^2 from its line; k lines see sagittas
-// of s / k^2.
+// average. k lines see sagittas of s / k^2.
 double ArcFinder::expected_gain(const Arc& arc) const {
   const double sagitta_m = arc.fit.cylinder.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(arc)));
   const double sigmas = sagitta_m / echoes().range_noise_m;
-  const double as_line = 4.0 / 45.0 * sigmas * sigmas * arc.num_echoes();
+  const double as_line = kArcOffLine * sigmas * sigmas * arc.num_echoes();
   double least = std::numeric_limits<double>::infinity();
   for (int k = 1; k <= 4; ++k) {
     least = std::min(least, k * options_->surface.line_price + as_line / (k * k * k * k));

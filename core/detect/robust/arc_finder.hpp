@@ -12,6 +12,7 @@
 #include "core/detect/robust/arc_moments.hpp"
 #include "core/detect/robust/echoes.hpp"
 #include "core/detect/robust/line_pieces.hpp"
+#include "core/detect/robust/ray_line.hpp"
 
 namespace scanbed {
 
@@ -32,7 +33,10 @@ struct Arc {
 class ArcFinder {
  public:
   /// Begins a scan; what it refers to lives as long as arcs are looked for.
-  void begin(const SurfacedScan& scan, const DetectorOptions& options);
+  void begin(const SurfacedScan& scan, const RayLineSums& sums, const DetectorOptions& options);
+
+  /// Surfaces of fewer echoes hold none.
+  int min_echoes() const { return min_echoes_; }
 
   /// Appends the arcs of one surface that gain, the best where they contend, and marks the pieces they take.
   void find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs);
@@ -54,6 +58,7 @@ class ArcFinder {
   struct Ends {
     std::array<Witness, 2> witnesses;
     int num_free = 0;
+    int num_hidden = 0;
     double price = 0.0;
   };
 
@@ -69,19 +74,27 @@ class ArcFinder {
   bool try_places(Stretch surface, double cost, Arc& arc);
   bool settle(Stretch surface, double cost, Ends ends, Arc& arc);
   bool is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, double most_chi2) const;
+  double least_price_of(Stretch surface) const;
   bool may_be_arc(Stretch places, double cost) const;
   Ends ends_of(Stretch surface, const Arc& arc) const;
   bool fit_trimmed(Stretch surface, double cost, Ends& ends, Arc& arc) const;
   bool drop_mixed_ends(Arc& arc) const;
   bool is_plausible(const Arc& arc) const;
   double arc_in_view_rad(const Arc& arc) const;
+  double cost_as_line(Stretch places) const;
+  double doubt_of(const Ends& ends) const;
   double doubt_of(const Arc& arc, const Ends& ends) const;
   double expected_gain(const Arc& arc) const;
   const Echoes& echoes() const { return scan_->echoes; }
   Eigen::Vector2d point_m(int place) const { return scan_->echoes.point_m(place); }
 
   std::optional<SurfacedScan> scan_;
+  const RayLineSums* sums_ = nullptr;
   const DetectorOptions* options_ = nullptr;
+  int min_echoes_ = 0;
+  double least_price_ = 0.0;     ///< of an arc on the surface
+  double least_chord_m2_ = 0.0;  ///< of a narrow thing
+  double narrow_m2_ = 0.0;       ///< squared chord times number of echoes: what has less is narrow
   ArcMoments moments_;
   std::vector<Contender> contenders_;
   int last_explained_piece_ = -1;  ///< by a contender, as well as can be asked

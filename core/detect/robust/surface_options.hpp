@@ -20,10 +20,10 @@ struct SurfaceOptions {
   double line_price = 14.0;
   double arc_price = 18.0;
   double clutter_price = 9.0;        ///< of a point that is given up
-  double hidden_end_price = 3.0;     ///< of an arc's end at something nearer, or at the edge of view
   double attached_end_price = 12.0;  ///< of an arc's end where its surface goes on
-  double unsure_arc_price = 6.0;     ///< of an arc with an end that is not free
-  double shallow_arc_price = 2.0;    ///< of an arc with an end that is not free and little of it in view
+  double unsure_arc_price = 5.0;     ///< to be sure of an arc with an end that is not free ...
+  double hidden_end_price = 3.0;     ///< ... on top for each at something nearer or at the edge of view ...
+  double shallow_arc_price = 2.0;    ///< ... and where little of it is in view
   double shallow_arc_rad = radians(60.0);
   double doubt_ratio = 0.5;         ///< an arc has to gain this share of what a perfect one would gain ...
   double doubt_start = 6.0;         ///< ... beyond this ...

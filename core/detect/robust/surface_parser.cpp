@@ -8,7 +8,6 @@
 namespace scanbed {
 namespace {
 
-constexpr int kMinSurfaceEchoes = 3;
 constexpr int kMinJoinedEchoes = 2;  // of a surface that may be a column's part
 // Between two parts of a column: beams without a nearer echo say that nothing hides its middle.
 constexpr int kMaxLostBeams = 2;
@@ -27,7 +26,7 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
   arcs_.clear();
   const SurfacedScan surfaced{scan, echoes};
   line_splitter_.begin(echoes, sums_, options.surface);
-  arc_finder_.begin(surfaced, options);
+  arc_finder_.begin(surfaced, sums_, options);
   for (int i = 0; i < runs_.num_runs(); ++i) line_splitter_.add(runs_.run(i));
   line_splitter_.split();
   for (int i = 0; i < runs_.num_runs(); ++i) {
@@ -35,7 +34,8 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
   }
   join_across_occluders(surfaced);
   for (const Arc& arc : arcs_) {
-    if (arc.gain > arc.doubt) report_arc(surfaced, arc, features);
+    const bool is_circle = arc.gain > arc.doubt && arc.num_echoes() >= options.circle.min_points;
+    if (is_circle) report_arc(surfaced, arc, features);
   }
   wall_lines_.append(echoes, sums_, pieces_, options, features.lines);
 }
@@ -46,9 +46,7 @@ void SurfaceParser::explain(Stretch surface) {
                       .first_arc = static_cast<int>(arcs_.size())};
   line_splitter_.append_pieces(surface, pieces_);
   explained.num_pieces = static_cast<int>(pieces_.size()) - explained.first_piece;
-  if (surface.size() >= std::max(kMinSurfaceEchoes, options_->circle.min_points)) {
-    arc_finder_.find(surface, pieces_of(explained), arcs_);
-  }
+  if (surface.size() >= arc_finder_.min_echoes()) arc_finder_.find(surface, pieces_of(explained), arcs_);
   explained.num_arcs = static_cast<int>(arcs_.size()) - explained.first_arc;
   surfaces_.push_back(explained);
 }
