@@ -37,7 +37,8 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
     const bool is_circle = arc.gain > arc.doubt && arc.num_echoes() >= options.circle.min_points;
     if (is_circle) report_arc(surfaced, arc, features);
   }
-  wall_lines_.append(echoes, sums_, pieces_, options, features.lines);
+  wall_lines_.begin(echoes, sums_, options);
+  wall_lines_.append(pieces_, features.lines);
 }
 
 void SurfaceParser::explain(Stretch surface) {

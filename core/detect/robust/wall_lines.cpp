@@ -64,34 +64,38 @@ Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& invers
 
 }  // namespace
 
-void WallLines::append(const Echoes& echoes, const RayLineSums& sums, std::span<const LinePiece> pieces,
-                       const DetectorOptions& options, std::vector<Line>& lines) {
+void WallLines::begin(const Echoes& echoes, const RayLineSums& sums, const DetectorOptions& options) {
+  echoes_ = &echoes;
   sums_ = &sums;
-  collect(echoes, pieces, options);
-  const double max_rad2 = options.surface.max_direction_sigma_rad * options.surface.max_direction_sigma_rad;
-  const double min_chord_m2 = options.line.min_length_m * options.line.min_length_m;
+  options_ = &options;
+}
+
+void WallLines::append(std::span<const LinePiece> pieces, std::vector<Line>& lines) {
+  collect(pieces);
+  const double max_sigma_rad = options_->surface.max_direction_sigma_rad;
+  const double max_rad2 = max_sigma_rad * max_sigma_rad;
+  const double min_chord_m2 = options_->line.min_length_m * options_->line.min_length_m;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
     RayLine best = walls_[i].line;
-    if (!is_sure(best)) best = line_with_others(i, echoes, options.surface.line_price);
+    if (!is_sure(best)) best = line_with_others(i);
     if (best.direction_rad2 > max_rad2) continue;
-    const Line line = line_of(echoes, walls_[i].places, best.inverse_m);
+    const Line line = line_of(*echoes_, walls_[i].places, best.inverse_m);
     if ((line.right_m - line.left_m).squaredNorm() >= min_chord_m2) lines.push_back(line);
   }
 }
 
-void WallLines::collect(const Echoes& echoes, std::span<const LinePiece> pieces,
-                        const DetectorOptions& options) {
+void WallLines::collect(std::span<const LinePiece> pieces) {
   walls_.clear();
   for (const LinePiece& piece : pieces) {
-    if (!may_be_line(echoes, piece, options)) continue;
-    Wall& wall = walls_.emplace_back(piece.places, sums_->fit(piece.places));
-    if (!is_sure(wall.line)) drop_foreign_ends(wall, options.line.min_points);
+    if (!may_be_line(*echoes_, piece, *options_)) continue;
+    walls_.push_back({piece.places, sums_->fit(piece.places)});
+    if (!is_sure(walls_.back().line)) drop_foreign_ends(walls_.back());
   }
 }
 
 // Echoes beyond a corner turn a short piece, while one of its own is hardly missed.
-void WallLines::drop_foreign_ends(Wall& wall, int min_points) const {
-  while (wall.line.chi2 > kForeignEnd && wall.places.size() > min_points) {
+void WallLines::drop_foreign_ends(Wall& wall) const {
+  while (wall.line.chi2 > kForeignEnd && wall.places.size() > options_->line.min_points) {
     const auto [first, last] = wall.places;
     const double behind = sums_->chi2_of({first + 1, last});
     const double before = sums_->chi2_of({first, last - 1});
@@ -102,9 +106,9 @@ void WallLines::drop_foreign_ends(Wall& wall, int min_points) const {
 }
 
 // Of the pieces that one line explains together with this one at less cost, that which tells most.
-RayLine WallLines::line_with_others(std::size_t wall, const Echoes& echoes, double line_price) const {
+RayLine WallLines::line_with_others(std::size_t wall) const {
   const auto& [places, alone] = walls_[wall];
-  const Eigen::Vector2d middle_m = 0.5 * (echoes.point_m(places.first) + echoes.point_m(places.last));
+  const Eigen::Vector2d middle_m = 0.5 * (echoes_->point_m(places.first) + echoes_->point_m(places.last));
   RayLine best = alone;
   const std::size_t begin = wall - std::min(wall, kMaxPiecesBetween);
   const std::size_t end = std::min(wall + 1 + kMaxPiecesBetween, walls_.size());
@@ -113,7 +117,7 @@ RayLine WallLines::line_with_others(std::size_t wall, const Echoes& echoes, doub
     if (i == wall || !passes_near(other.line, middle_m)) continue;
     const RayLine both = sums_->fit_both(places, other.places);
     if (both.direction_rad2 >= best.direction_rad2) continue;
-    if (both.chi2 <= alone.chi2 + other.line.chi2 + line_price) best = both;
+    if (both.chi2 <= alone.chi2 + other.line.chi2 + options_->surface.line_price) best = both;
   }
   return best;
 }

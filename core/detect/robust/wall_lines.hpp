@@ -20,9 +20,11 @@ namespace scanbed {
 /// stays uncertain are dropped.
 class WallLines {
  public:
+  /// Begins a scan; what it refers to lives as long as lines are made.
+  void begin(const Echoes& echoes, const RayLineSums& sums, const DetectorOptions& options);
+
   /// Appends the lines of all pieces that no arc took, in their order.
-  void append(const Echoes& echoes, const RayLineSums& sums, std::span<const LinePiece> pieces,
-              const DetectorOptions& options, std::vector<Line>& lines);
+  void append(std::span<const LinePiece> pieces, std::vector<Line>& lines);
 
  private:
   struct Wall {
@@ -30,11 +32,13 @@ class WallLines {
     RayLine line;  ///< through its echoes
   };
 
-  void collect(const Echoes& echoes, std::span<const LinePiece> pieces, const DetectorOptions& options);
-  void drop_foreign_ends(Wall& wall, int min_points) const;
-  RayLine line_with_others(std::size_t wall, const Echoes& echoes, double line_price) const;
+  void collect(std::span<const LinePiece> pieces);
+  void drop_foreign_ends(Wall& wall) const;
+  RayLine line_with_others(std::size_t wall) const;
 
+  const Echoes* echoes_ = nullptr;
   const RayLineSums* sums_ = nullptr;
+  const DetectorOptions* options_ = nullptr;
   std::vector<Wall> walls_;
 };
 

@@ -29,7 +29,9 @@ std::vector<Line> lines_of(const LaserScan& scan, const DetectorOptions& options
   std::vector<LinePiece> pieces;
   for (int i = 0; i < runs.num_runs(); ++i) splitter.append_pieces(runs.run(i), pieces);
   std::vector<Line> lines;
-  WallLines().append(echoes, sums, pieces, options, lines);
+  WallLines walls;
+  walls.begin(echoes, sums, options);
+  walls.append(pieces, lines);
   return lines;
 }
 
