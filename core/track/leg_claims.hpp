@@ -26,7 +26,7 @@ struct LegClaim {
 ///              with the best so far.
 class LegClaims {
  public:
-  static constexpr int kMaxNodes = 4000;  ///< for each group
+  static constexpr int kMaxNodes = 1000;  ///< for each group
 
   /// A choice for all tracks.
   struct Answer {

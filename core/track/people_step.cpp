@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "core/track/gait_expectation.hpp"
 #include "core/track/recall_people.hpp"
@@ -34,6 +35,7 @@ constexpr double kAbsorbPerson_m = 0.35;     // of two people with one leg each
 constexpr double kWalkDistance_m = 0.7;      // what moves so far within the window walks
 constexpr double kPersonRadius_m = 0.25;
 constexpr double kLegRadius_m = 0.10;
+constexpr std::size_t kMaxNearLegs = 12;        // that a person may claim: their pairs are no end otherwise
 constexpr std::uint64_t kMaxBirths = 1u << 16;  // of a scan
 
 // Somebody is there if one of two legs is a leg; what one is says nothing of the other.
@@ -143,8 +145,19 @@ void PeopleStep::claim(const PeopleHypothesis& hypothesis, LegClaims& claims) {
                   .first = leg,
                   .gain = price_[leg] - surprise_of_leg(distance_m2, track) - surprise_of_width(track, leg)});
     }
-    if (track.is_person() && !near_legs_.empty()) claim_for_person(index, track, claims);
+    if (!track.is_person() || near_legs_.empty()) continue;
+    keep_nearest_legs(track);
+    claim_for_person(index, track, claims);
   }
+}
+
+void PeopleStep::keep_nearest_legs(const LiveTrack& track) {
+  if (near_legs_.size() <= kMaxNearLegs) return;
+  const auto off_m2 = [&](int leg) { return (p_WL_m_[leg] - track.point.p_m).squaredNorm(); };
+  const auto end = near_legs_.begin() + kMaxNearLegs;
+  std::partial_sort(near_legs_.begin(), end, near_legs_.end(),
+                    [&](int a, int b) { return std::pair(off_m2(a), a) < std::pair(off_m2(b), b); });
+  near_legs_.erase(end, near_legs_.end());
 }
 
 void PeopleStep::claim_for_person(int index, const LiveTrack& person, LegClaims& claims) {

@@ -49,6 +49,7 @@ class PeopleStep {
   void measure_widths();
   void price_legs();
   double surprise_of_width(const LiveTrack& track, int leg) const;
+  void keep_nearest_legs(const LiveTrack& track);
   void claim_for_person(int index, const LiveTrack& person, LegClaims& claims);
   void correct(LiveTrack& track) const;
   void begin_tracks(std::vector<LiveTrack>& tracks) const;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polar.hpp"
 #include "tests/core/track/made_features.hpp"
 
 namespace scanbed {
@@ -58,6 +60,21 @@ TEST(PeopleStepTest, TwoLegsThatKeepCloseAreOnePerson) {
   ASSERT_EQ(story.hypothesis.tracks.size(), 1u);
   EXPECT_TRUE(story.hypothesis.tracks[0].is_person());
   EXPECT_EQ(story.hypothesis.tracks[0].num_legs_seen, 2);
+}
+
+// Of n legs around a person each two may be theirs: of 30 there would be 465 answers.
+TEST(PeopleStepTest, APersonClaimsTheNearestLegsOfMany) {
+  Story story;
+  for (int i = 0; i < 5; ++i) story.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1})});
+  std::vector<Leg> legs;
+  for (int i = 0; i < 28; ++i)
+    legs.push_back(leg_at(Eigen::Vector2d(2.0, 0.0) + polar(2.0 * kPi * i / 28, 0.3)));
+  legs.push_back(leg_at({2.0, 0.1}));
+  legs.push_back(leg_at({2.0, -0.1}));
+  const std::vector<LegClaims::Answer> answers = story.look(legs);
+  const LegClaim best = story.claim(answers.front(), 0);
+  EXPECT_EQ(std::minmax({best.first, best.second}), std::minmax({28, 29}));
+  EXPECT_LE(answers.size(), 1u + 12u + 12u * 11u / 2u);  // nobody, one of 12, two of 12
 }
 
 TEST(PeopleStepTest, EachTrackHasABirthOfItsOwn) {
