@@ -123,7 +123,7 @@ const std::array kTable = {
         kBoth, kLegScorers),
     leg<&LegOptions::min_score>("leg.min_score", "legs of a lower score are not reported ..."),
     leg<&LegOptions::min_doubtful_score>("leg.min_doubtful_score",
-                                         "... but tracking may follow them from this one on"),
+                                         "... but tracking may follow them from this one on; 1: none"),
     leg<&LegOptions::min_width_m>("leg.min_width_m", "rules: chord of the segment"),
     leg<&LegOptions::max_width_m>("leg.max_width_m", "rules: chord of the segment"),
     leg<&LegOptions::min_points>("leg.min_points", "rules: fewer points make no leg"),

@@ -8,8 +8,6 @@
 namespace scanbed {
 namespace {
 
-constexpr double kOneLegSigma_m = 0.18;    // of one leg, about the person's middle
-constexpr double kBothLegsSigma_m = 0.07;  // of their middle, about the person's
 constexpr double kAlongSigma_m = 0.33;     // from one leg to the other, along the way
 constexpr double kAcrossSigma_m = 0.17;    // ... and across it
 constexpr double kStandingSigma_m = 0.04;  // of a leg whose foot stands
@@ -37,16 +35,16 @@ double surprise_of_haste(double way_m, double reach_m) {
   return std::min(kMaxHaste, beyond * beyond);
 }
 
-double surprise(double distance_m2, double var_m2) {
-  return distance_m2 / var_m2 + 2.0 * std::log(var_m2 / kUnit_m2);
-}
-
 // That at least one foot stood all the time since: each does for a part of the cycle, in turn.
 double standing_ratio(double unseen_s) {
   return std::clamp(2.0 * (kStanding_s - unseen_s) / kCycle_s, 0.0, 0.95);
 }
 
 }  // namespace
+
+double surprise_of_place(double distance_m2, double var_m2) {
+  return distance_m2 / var_m2 + 2.0 * std::log(var_m2 / kUnit_m2);
+}
 
 GaitExpectation::GaitExpectation(const LiveTrack& person)
     : middle_m_(person.point.p_m),
@@ -94,8 +92,8 @@ double GaitExpectation::surprise_of(const Eigen::Vector2d& p_WL_m) const {
 }
 
 double GaitExpectation::surprise_of(const Eigen::Vector2d& p_WA_m, const Eigen::Vector2d& p_WB_m) const {
-  const double of_middle = surprise((0.5 * (p_WA_m + p_WB_m) - middle_m_).squaredNorm(),
-                                    middle_var_m2_ + kBothLegsSigma_m * kBothLegsSigma_m);
+  const double of_middle = surprise_of_place((0.5 * (p_WA_m + p_WB_m) - middle_m_).squaredNorm(),
+                                             middle_var_m2_ + kBothLegsSigma_m * kBothLegsSigma_m);
   const Eigen::Vector2d apart_m = p_WB_m - p_WA_m;
   const double along_m = apart_m.dot(along_);
   const double across2 = std::max(0.0, apart_m.squaredNorm() - along_m * along_m);

@@ -8,16 +8,23 @@
 
 namespace scanbed {
 
+inline constexpr double kOneLegSigma_m = 0.18;    ///< of one leg, about the person's middle
+inline constexpr double kBothLegsSigma_m = 0.07;  ///< of their middle, about the person's
+
+/// Of a distance from where something is expected: -2 times the log-likelihood, but for a constant that makes
+/// it 0 for one leg at the middle of a person who is exactly known.
+double surprise_of_place(double distance_m2, double var_m2);
+
 /// Where the legs of somebody are expected in a scan. Of one who walks one foot stands while the other
 /// swings: by the scan before, that leg is known far better than the person's middle alone would tell. Both
 /// legs lie about the middle, along the way rather than across it, and none goes faster than a swing.
 ///
-/// Surprises are -2 times the log-likelihood, but for a constant for each leg that makes it 0 where a person
-/// who is exactly known has one.
+/// Surprises are those of surprise_of_place(), a constant for each leg.
 ///
 /// @par Source  A foot stands for 60 % of a cycle: Perry, "Gait Analysis: Normal and Pathological Function",
 ///              1992. With a rigid leg a shin is at foot + 0.3 (hip - foot): it goes at 0.3 of the person's
-///              speed where the foot stands, and at 2.05 of it where it swings.
+///              speed where the foot stands, and at 2.05 of it where it swings. Departs: 0.35 where it
+///              stands, and a spread about that.
 class GaitExpectation {
  public:
   /// @param person  predicted to the scan's time.

@@ -39,8 +39,8 @@ struct LiveTrack {
   int feature = kNoFeature;
   int second_feature = kNoFeature;
   std::array<Eigen::Vector2d, 2> p_WL_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< its legs, ...
-  double leg_width_m = 0.0;               ///< mean over its legs, as wide as scans show them
   int num_legs_seen = 0;                  ///< ... as many as there were when it was last seen
+  double leg_width_m = 0.0;               ///< mean over its legs, as wide as scans show them
   std::uint64_t recent_legs = 0;          ///< which features it had in the last three scans
   PlaceView view = PlaceView::kOccupied;  ///< of its place, at the latest miss
   bool is_mobile = false;

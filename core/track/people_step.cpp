@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kPersonAccel_m2_per_s3 = 1.0;
 constexpr double kLegAccel_m2_per_s3 = 6.0;  // a leg stops and swings with every step
-constexpr double kBothLegsSigma_m = 0.07;    // of their middle, about the person's
-constexpr double kOneLegSigma_m = 0.18;      // of one leg, about the person's middle
 constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
 constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
 constexpr double kMaxSurprise = 12.0;        // of a leg that is still a track's: 3.5 standard deviations
@@ -68,10 +66,9 @@ void absorb_single_legs(std::vector<LiveTrack>& tracks) {
   }
 }
 
-// Of a leg for a leg's own track; in the units of GaitExpectation.
+// Of a leg for a leg's own track.
 double surprise_of_leg(double distance_m2, const LiveTrack& track) {
-  const double var_m2 = track.point.var_p_m2 + kLegSigma_m * kLegSigma_m;
-  return distance_m2 / var_m2 + 2.0 * std::log(var_m2 / (kOneLegSigma_m * kOneLegSigma_m));
+  return surprise_of_place(distance_m2, track.point.var_p_m2 + kLegSigma_m * kLegSigma_m);
 }
 
 void bury_dead(PeopleHypothesis& hypothesis) {

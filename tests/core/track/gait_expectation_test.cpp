@@ -84,8 +84,7 @@ TEST(GaitExpectationTest, APairKeepsToItsPlaces) {
   EXPECT_NEAR(expectation.surprise_of(Vector2d(0.0, -0.1), Vector2d(0.0, 0.1)), own, 1e-9);
 }
 
-// In 0.2 s a shin swings by 2.05 * 0.26 m, and 0.1 m more is no surprise; 0.1 m beyond that is 1, and so on
-// to
+// In 0.2 s a shin swings by 2.05 * 0.26 m, and 0.1 m more is no surprise; 0.1 m beyond that is 1, up to
 // 8. Legs that were not both seen tell nothing of it: the difference is all there is between the two.
 TEST(GaitExpectationTest, NoLegGoesFarBeyondASwing) {
   const Vector2d foot_m(0.0, 0.1);
