@@ -23,6 +23,10 @@ using Ints = std::int32_t __attribute__((vector_size(kNumLanes * sizeof(std::int
   std::memcpy(&lanes, values, sizeof lanes);
 }
 
+[[gnu::always_inline]] inline void store(const Floats& lanes, float* values) {
+  std::memcpy(values, &lanes, sizeof lanes);
+}
+
 [[gnu::always_inline]] inline void lower(Floats& least, const Floats& values) {
   least = values < least ? values : least;
 }

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/detect/features.hpp"
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
+#include "core/detect/leg/leg_place.hpp"
 #include "core/simd/float_lanes.hpp"
 #include "core/simd/instruction_set.hpp"
 
@@ -58,13 +60,6 @@ inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
 /// What is measured of each candidate by itself stands before what others add.
 inline constexpr int kNumOwnLegFeatures = static_cast<int>(LegFeature::kPartner35);
 
-/// Where a candidate is: its beams, and its centroid in the sensor frame S.
-struct LegPlace {
-  BeamSpan beams;
-  float x_m = 0.0F;
-  float y_m = 0.0F;
-};
-
 /// Features of many candidates, in blocks: what is read together stands together.
 class LegFeatureTable {
  public:
@@ -82,6 +77,11 @@ class LegFeatureTable {
   float at(int feature, int candidate) const { return values_[index(feature, candidate)]; }
   /// Feature f of the block's i-th candidate stands at kBlock f + i.
   const float* block(int number) const { return values_.data() + index(0, kBlock * number); }
+  /// Sets a feature of all the block's candidates.
+  void write(LegFeature feature, int block, const Floats& values) {
+    store(values, values_.data() + index(static_cast<int>(feature), kBlock * block));
+  }
+  std::span<const float> blocks_from(int number) const { return {block(number), block(num_blocks())}; }
 
  private:
   static std::size_t index(int feature, int candidate) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/leg/leg_forest.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/simd/float_lanes.hpp"
@@ -15,50 +16,71 @@ namespace {
 constexpr int kBlock = LegFeatureTable::kBlock;
 static_assert(kBlock == kNumLanes);
 
-// The leaf of each candidate of a block.
-[[gnu::always_inline]] inline void find_leaves(const LegTree& tree, const float* block, Ints& leaves) {
-  leaves = Ints{};
+constexpr int kBlockStride = kBlock * kNumLegFeatures;  // from one block of the table to the next
+constexpr int kHalf = LegTree::kNumLeaves / 2;
+
+// The leaf of each candidate of a block: its place in a half of the tree, and whether that is the upper half.
+[[gnu::always_inline]] inline void find_leaves(const LegTree& tree, const float* block, Ints& in_half,
+                                               Ints& is_upper) {
+  constexpr int kTop = LegTree::kDepth - 1;
   Floats values;
-  for (int level = 0; level < LegTree::kDepth; ++level) {
+  in_half = Ints{};
+  for (int level = 0; level < kTop; ++level) {
     load(block + kBlock * tree.feature[level], values);
-    leaves |= (values > tree.threshold[level]) & (1 << level);
+    in_half |= (values > tree.threshold[level]) & (1 << level);
   }
+  load(block + kBlock * tree.feature[kTop], values);
+  is_upper = values > tree.threshold[kTop];
 }
 
 // Adds what the trees say of a block's candidates to their sums.
 void add_trees_plain(std::span<const LegTree> trees, const float* block, float* sums) {
-  Ints leaves;
+  Ints in_half, is_upper;
   for (const LegTree& tree : trees) {
-    find_leaves(tree, block, leaves);
-    for (int lane = 0; lane < kBlock; ++lane) sums[lane] += tree.value[leaves[lane]];
+    find_leaves(tree, block, in_half, is_upper);
+    const Ints leaf = in_half | (is_upper & kHalf);
+    for (int lane = 0; lane < kBlock; ++lane) sums[lane] += tree.value[leaf[lane]];
   }
 }
 
 #if defined(SCANBED_HAS_AVX2)
-static_assert(LegTree::kNumLeaves == 2 * kNumLanes);
+static_assert(kHalf == kNumLanes);
 
-// A tree's values fill two registers, from which each lane picks its own.
-SCANBED_AVX2 void add_trees_avx2(std::span<const LegTree> trees, const float* block, float* sums) {
-  __m256 sum = _mm256_loadu_ps(sums);
-  Ints leaves;
+// Does so for several blocks at once: what is loaded of a tree serves them all. Either half of a tree's
+// values fills a register, from which each lane picks its own.
+template <int kNumBlocks>
+SCANBED_AVX2 void add_trees_avx2(std::span<const LegTree> trees, const float* blocks, float* sums) {
+  __m256 sum[kNumBlocks];
+  for (int i = 0; i < kNumBlocks; ++i) sum[i] = _mm256_loadu_ps(sums + i * kBlock);
+  Ints in_half, is_upper;
   for (const LegTree& tree : trees) {
-    find_leaves(tree, block, leaves);
-    const auto leaf = reinterpret_cast<__m256i>(leaves);
-    const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(tree.value.data()), leaf);
-    const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(tree.value.data() + kNumLanes), leaf);
-    // The blend goes by the highest bit of a lane; which half it is says bit 3.
-    const __m256 is_high = _mm256_castsi256_ps(_mm256_slli_epi32(leaf, 28));
-    sum = _mm256_add_ps(sum, _mm256_blendv_ps(low, high, is_high));
+    const __m256 lower_half = _mm256_loadu_ps(tree.value.data());
+    const __m256 upper_half = _mm256_loadu_ps(tree.value.data() + kHalf);
+    for (int i = 0; i < kNumBlocks; ++i) {
+      find_leaves(tree, blocks + i * kBlockStride, in_half, is_upper);
+      const auto leaf = reinterpret_cast<__m256i>(in_half);
+      const __m256 lower = _mm256_permutevar8x32_ps(lower_half, leaf);
+      const __m256 upper = _mm256_permutevar8x32_ps(upper_half, leaf);
+      sum[i] = _mm256_add_ps(sum[i], _mm256_blendv_ps(lower, upper, reinterpret_cast<__m256>(is_upper)));
+    }
   }
-  _mm256_storeu_ps(sums, sum);
+  for (int i = 0; i < kNumBlocks; ++i) _mm256_storeu_ps(sums + i * kBlock, sum[i]);
 }
 #endif
 
-void add_trees(InstructionSet set, std::span<const LegTree> trees, const float* block, float* sums) {
+// Adds what the trees say of the first blocks, and tells how many it has done.
+int add_trees(InstructionSet set, std::span<const LegTree> trees, std::span<const float> blocks,
+              float* sums) {
 #if defined(SCANBED_HAS_AVX2)
-  if (set == InstructionSet::kAvx2) return add_trees_avx2(trees, block, sums);
+  if (set == InstructionSet::kAvx2) {
+    constexpr std::array kAdd = {add_trees_avx2<1>, add_trees_avx2<2>, add_trees_avx2<3>, add_trees_avx2<4>};
+    const std::size_t num_blocks = std::min(blocks.size() / kBlockStride, kAdd.size());
+    kAdd[num_blocks - 1](trees, blocks.data(), sums);
+    return static_cast<int>(num_blocks);
+  }
 #endif
-  add_trees_plain(trees, block, sums);
+  add_trees_plain(trees, blocks.data(), sums);
+  return 1;
 }
 
 }  // namespace
@@ -68,29 +90,43 @@ double LegForest::probability(float sum) const {
 }
 
 void LegForestScorer::add(std::span<const LegTree> trees) {
-  for (int i = 0; i < table_.num_blocks(); ++i) {
-    add_trees(instructions_, trees, table_.block(i), sums_.data() + static_cast<std::ptrdiff_t>(i) * kBlock);
+  for (int i = 0; i < table_.num_blocks();) {
+    i += add_trees(instructions_, trees, table_.blocks_from(i),
+                   sums_.data() + static_cast<std::ptrdiff_t>(i) * kBlock);
   }
 }
 
-// Moves the candidates that stay to the front, if blocks become free by that.
+// Fills the gaps among the first candidates with what stays behind them, if blocks become free by that.
+// Collects both without a jump: who stays cannot be foretold.
 void LegForestScorer::keep_above(float min_sum) {
-  for (float& sum : sums_) {
-    if (sum < min_sum) sum = kGivenUp;
-  }
-  const auto stays = [&](std::size_t i) { return sums_[i] > kGivenUp / 2; };
+  const int num_candidates = table_.num_candidates();
   int num_kept = 0;
-  for (std::size_t i = 0; i < candidate_.size(); ++i) num_kept += stays(i) ? 1 : 0;
-  if ((num_kept + kBlock - 1) / kBlock == table_.num_blocks()) return;
-  int to = 0;
-  for (std::size_t i = 0; i < candidate_.size(); ++i) {
-    if (!stays(i)) continue;
-    if (to != static_cast<int>(i)) table_.copy(static_cast<int>(i), to);
-    sums_[to] = sums_[i];
-    candidate_[to++] = candidate_[i];
+  for (int i = 0; i < num_candidates; ++i) {
+    sums_[i] = sums_[i] < min_sum ? kGivenUp : sums_[i];
+    num_kept += stays(i) ? 1 : 0;
   }
+  if ((num_kept + kBlock - 1) / kBlock == table_.num_blocks()) return;
+  gaps_.resize(num_candidates);
+  movers_.resize(num_candidates);
+  int num_gaps = 0;
+  for (int i = 0; i < num_kept; ++i) {
+    gaps_[num_gaps] = i;
+    num_gaps += stays(i) ? 0 : 1;
+  }
+  int num_movers = 0;
+  for (int i = num_kept; i < num_candidates; ++i) {
+    movers_[num_movers] = i;
+    num_movers += stays(i) ? 1 : 0;
+  }
+  for (int i = 0; i < num_gaps; ++i) move(movers_[i], gaps_[i]);
   candidate_.resize(num_kept);
   table_.shrink(num_kept);
+}
+
+void LegForestScorer::move(int from, int to) {
+  table_.copy(from, to);
+  sums_[to] = sums_[from];
+  candidate_[to] = candidate_[from];
 }
 
 void LegForestScorer::score(const LegForest& forest, const LegFeatureTable& table,
@@ -110,8 +146,8 @@ void LegForestScorer::score(const LegForest& forest, const LegFeatureTable& tabl
     keep_above(checkpoint.min_sum);
   }
   add(forest.trees.subspan(num_done));
-  for (std::size_t i = 0; i < candidate_.size(); ++i) {
-    if (sums_[i] > kGivenUp / 2) scores[candidate_[i]] = sums_[i];
+  for (int i = 0; i < table_.num_candidates(); ++i) {
+    if (stays(i)) scores[candidate_[i]] = sums_[i];
   }
 }
 

@@ -66,12 +66,15 @@ class LegForestScorer {
  private:
   void add(std::span<const LegTree> trees);
   void keep_above(float min_sum);
+  void move(int from, int to);
+  bool stays(int i) const { return sums_[i] > kGivenUp / 2; }
 
   InstructionSet instructions_;
   LegPartnerReader partner_reader_;
   LegFeatureTable table_;    ///< of the candidates still in the race
   std::vector<float> sums_;  ///< kGivenUp or so: out of the race, though a lane of its block
   std::vector<int> candidate_;
+  std::vector<int> gaps_, movers_;
 };
 
 }  // namespace scanbed

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,17 +21,17 @@ class LegPartnerReader {
   /// @param places, sums  of each candidate; the sums say how likely it is a leg by itself.
   void read(std::span<const LegPlace> places, std::span<const float> sums, LegFeatureTable& table);
 
-  /// Candidates that may well be legs, padded to whole blocks by some that are not.
+  /// A candidate that may well be a leg.
   struct Likely {
-    std::vector<std::int32_t> first, last;
-    std::vector<float> x_m, y_m, sum;
+    LegPlace place;
+    float sum = 0.0F;
   };
 
  private:
   void gather(std::span<const LegPlace> places, std::span<const float> sums);
 
   InstructionSet instructions_;
-  Likely likely_;
+  std::vector<Likely> likely_;
 };
 
 }  // namespace scanbed
