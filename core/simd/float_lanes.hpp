@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 namespace scanbed {
 
 /// Eight numbers that are reckoned with at once, element by element, as GCC's and Clang's vector extensions
@@ -27,12 +31,31 @@ using Ints = std::int32_t __attribute__((vector_size(kNumLanes * sizeof(std::int
   std::memcpy(values, &lanes, sizeof lanes);
 }
 
+[[gnu::always_inline]] inline void store(const Ints& lanes, std::int32_t* values) {
+  std::memcpy(values, &lanes, sizeof lanes);
+}
+
 [[gnu::always_inline]] inline void lower(Floats& least, const Floats& values) {
   least = values < least ? values : least;
 }
 
 [[gnu::always_inline]] inline void raise(Floats& greatest, const Floats& values) {
   greatest = values > greatest ? values : greatest;
+}
+
+/// Of a comparison: bit i says whether it held in lane i.
+[[gnu::always_inline]] inline unsigned bits_of(const Ints& holds) {
+#if defined(__SSE2__)
+  Floats lanes;
+  std::memcpy(&lanes, &holds, sizeof lanes);
+  const __m128 low = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
+  const __m128 high = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+  return static_cast<unsigned>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < kNumLanes; ++i) bits |= holds[i] != 0 ? 1U << i : 0U;
+  return bits;
+#endif
 }
 
 inline float least_of(const Floats& lanes) {

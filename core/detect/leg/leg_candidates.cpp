@@ -2,6 +2,7 @@
 #include "core/detect/leg/leg_candidates.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -18,13 +19,86 @@ constexpr int kMinHalvedEchoes = 4;
 constexpr double kMinHalvedWidth_m = 0.08;
 constexpr double kMaxHalvedWidth_m = 0.9;
 constexpr double kMinNotch_m = 0.015;
+constexpr int kMaxInRun = 7;  ///< candidates
+
+// Lists the echoes that may lie behind a gap, and returns how many they are: all whose beam before has none,
+// and all that lie too far from it by single precision, with a margin far above its rounding.
+[[gnu::always_inline]] inline int list_suspects_in(const LegBeams& beams, int* suspects) {
+  constexpr float kMargin = 0.998F;
+  const auto per_range = static_cast<float>(kSpacings * beams.step_rad);
+  const auto gap_m = static_cast<float>(kGaps_m.front());
+  Floats x, y, range, x_before, y_before, range_before;
+  int num_suspects = 0;
+  int num_echoes = beams.num_beams > 0 && beams.range_m[0] < LegBeams::kNothing_m ? 1 : 0;
+  for (int begin = 1; begin < beams.num_beams; begin += kNumLanes) {
+    load(beams.x_m.data() + begin, x);
+    load(beams.y_m.data() + begin, y);
+    load(beams.range_m.data() + begin, range);
+    load(beams.x_m.data() + begin - 1, x_before);
+    load(beams.y_m.data() + begin - 1, y_before);
+    load(beams.range_m.data() + begin - 1, range_before);
+    const Floats dx = x - x_before;
+    const Floats dy = y - y_before;
+    lower(range_before, range);
+    const Floats bound = gap_m + per_range * range_before;
+    const Ints is_echo = range < LegBeams::kNothing_m;
+    const unsigned echoes = bits_of(is_echo);
+    unsigned left = bits_of(is_echo & (dx * dx + dy * dy > kMargin * bound * bound));
+    for (; left != 0; left &= left - 1) {
+      const unsigned before = (left & -left) - 1;
+      suspects[num_suspects++] = num_echoes + std::popcount(echoes & before);
+    }
+    num_echoes += std::popcount(echoes);
+  }
+  return num_suspects;
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 int list_suspects_avx2(const LegBeams& beams, int* suspects) {
+  return list_suspects_in(beams, suspects);
+}
+#endif
+
+int list_suspects(InstructionSet set, const LegBeams& beams, int* suspects) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return list_suspects_avx2(beams, suspects);
+#endif
+  return list_suspects_in(beams, suspects);
+}
+
+// Writes whole blocks: what reaches into the next run is written over by that.
+void number_echoes(int num_echoes, LegSegmentation& segmentation) {
+  std::vector<int>& run_of_echo = segmentation.run_of_echo;
+  run_of_echo.resize(num_echoes + kNumLanes);
+  for (std::size_t i = 0; i < segmentation.runs.size(); ++i) {
+    const EchoRun& run = segmentation.runs[i];
+    const Ints number = Ints{} + static_cast<int>(i);
+    for (int k = run.first; k <= run.last; k += kNumLanes) store(number, run_of_echo.data() + k);
+  }
+  run_of_echo.resize(num_echoes);
+}
+
+// The echo before the largest step of range.
+int largest_step(const LegBeams& beams, const EchoRun& run) {
+  int before = run.first;
+  double largest_m = -1.0;
+  for (int k = run.first; k < run.last; ++k) {
+    const double step_m = std::abs(beams.echo_range_m[k + 1] - beams.echo_range_m[k]);
+    before = step_m > largest_m ? k : before;
+    largest_m = std::max(largest_m, step_m);
+  }
+  return before;
+}
 
 }  // namespace
 
 // All that the finest segmentation cuts; the others cut at some of them.
 void LegCandidateFinder::find_gaps(const LegBeams& beams) {
   gaps_.clear();
-  for (int k = 1; k < beams.num_echoes(); ++k) {
+  suspects_.resize(beams.num_echoes());
+  suspects_.resize(list_suspects(instructions_, beams, suspects_.data()));
+  for (const int k : suspects_) {
+    if (k == 0) continue;
     const int num_steps = beams.beam[k] - beams.beam[k - 1];
     const double range_m = std::min(beams.echo_range_m[k], beams.echo_range_m[k - 1]);
     const double allowed_m = kSpacings * range_m * beams.step_rad * num_steps;
@@ -38,34 +112,38 @@ void LegCandidateFinder::find_gaps(const LegBeams& beams) {
 }
 
 void LegCandidateFinder::cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const {
-  segmentation.runs.clear();
-  segmentation.width_m.clear();
-  segmentation.run_of_echo.resize(beams.num_echoes());
+  std::vector<EchoRun>& runs = segmentation.runs;
+  runs.resize(gaps_.size() + 1);
+  std::size_t num_runs = 0;
   int first = 0;
-  const auto end_before = [&](int echo) {
-    const EchoRun run{first, echo - 1};
-    std::fill(segmentation.run_of_echo.begin() + run.first, segmentation.run_of_echo.begin() + echo,
-              static_cast<int>(segmentation.runs.size()));
-    segmentation.runs.push_back(run);
-    segmentation.width_m.push_back(beams.distance_m(run.first, run.last));
-    first = echo;
-  };
   for (const Gap& gap : gaps_) {
-    if (gap.excess_m >= gap_m) end_before(gap.after);
+    const bool is_cut = gap.excess_m >= gap_m;
+    runs[num_runs] = {first, gap.after - 1};
+    num_runs += is_cut ? 1 : 0;
+    first = is_cut ? gap.after : first;
   }
-  if (beams.num_echoes() > 0) end_before(beams.num_echoes());
+  runs[num_runs] = {first, beams.num_echoes() - 1};
+  num_runs += beams.num_echoes() > 0 ? 1 : 0;
+  runs.resize(num_runs);
+  segmentation.width_m.resize(num_runs);
+  for (std::size_t i = 0; i < num_runs; ++i) {
+    segmentation.width_m[i] = beams.distance_m(runs[i].first, runs[i].last);
+  }
+  number_echoes(beams.num_echoes(), segmentation);
 }
 
+// Without a jump, as nothing foretells which runs are candidates; there is room.
 void LegCandidateFinder::add(const LegBeams& beams, const EchoRun& run) {
   const double middle_m = (beams.echo_range_m[run.first] + beams.echo_range_m[run.last]) / 2;
+  found_[num_found_] = run;
   const bool is_candidate =
-      run.size() >= 2 && beams.distance_m(run.first, run.last) <= kMaxWidth_m && middle_m <= kMaxRange_m;
-  if (is_candidate) found_.push_back(run);
+      (run.size() >= 2) & (beams.distance_m(run.first, run.last) <= kMaxWidth_m) & (middle_m <= kMaxRange_m);
+  num_found_ += is_candidate ? 1 : 0;
 }
 
-// The deepest notch is the echo that lies farthest behind the nearest one on either side.
-void LegCandidateFinder::halve_at_notch(const LegBeams& beams, const EchoRun& run) {
-  const std::vector<double>& range_m = beams.echo_range_m;
+// The echo that lies farthest behind the nearest one on either side; -1 if none lies far enough.
+int LegCandidateFinder::deepest_notch(const LegBeams& beams, const EchoRun& run) {
+  const double* range_m = beams.echo_range_m.data();
   nearest_after_m_.resize(run.size());
   double nearest_m = range_m[run.last];
   for (int k = run.last; k >= run.first; --k) {
@@ -78,55 +156,58 @@ void LegCandidateFinder::halve_at_notch(const LegBeams& beams, const EchoRun& ru
   for (int k = run.first + 1; k < run.last; ++k) {
     nearest_before_m = std::min(nearest_before_m, range_m[k]);
     const double depth_here_m = range_m[k] - std::max(nearest_before_m, nearest_after_m_[k - run.first]);
-    if (depth_here_m <= depth_m) continue;
-    depth_m = depth_here_m;
-    notch = k;
+    notch = depth_here_m > depth_m ? k : notch;
+    depth_m = std::max(depth_m, depth_here_m);
   }
-  if (notch < 0) return;
-  // The echo in the notch may belong to either side or to none.
-  for (const int without : {0, 1}) {
-    add(beams, {run.first, notch - without});
-    add(beams, {notch + without, run.last});
-  }
+  return notch;
 }
 
-void LegCandidateFinder::halve_at_step(const LegBeams& beams, const EchoRun& run) {
-  int before = run.first;
-  double largest_m = -1.0;
-  for (int k = run.first; k < run.last; ++k) {
-    const double step_m = std::abs(beams.echo_range_m[k + 1] - beams.echo_range_m[k]);
-    if (step_m <= largest_m) continue;
-    largest_m = step_m;
-    before = k;
+// Adds the halves in rising order.
+void LegCandidateFinder::halve(const LegBeams& beams, const EchoRun& run) {
+  const auto [first, last] = run;
+  const int step = largest_step(beams, run);
+  const int notch = deepest_notch(beams, run);
+  if (notch < 0) {
+    add(beams, {first, step});
+    add(beams, run);
+    add(beams, {step + 1, last});
+    return;
   }
-  add(beams, {run.first, before});
-  add(beams, {before + 1, run.last});
+  // The echo in the notch may belong to either side or to none.
+  add(beams, {first, std::min(step, notch - 1)});
+  add(beams, {first, std::clamp(step, notch - 1, notch)});
+  add(beams, {first, std::max(step, notch)});
+  add(beams, run);
+  add(beams, {std::min(step + 1, notch), last});
+  add(beams, {std::clamp(step + 1, notch, notch + 1), last});
+  add(beams, {std::max(step + 1, notch + 1), last});
 }
 
 void LegCandidateFinder::find_in(const LegBeams& beams, const EchoRun& run, double width_m) {
-  const auto num_before = static_cast<std::ptrdiff_t>(found_.size());
-  add(beams, run);
+  found_.resize(num_found_ + kMaxInRun);
   const bool is_halved =
       run.size() >= kMinHalvedEchoes && width_m >= kMinHalvedWidth_m && width_m <= kMaxHalvedWidth_m;
   if (is_halved) {
-    halve_at_notch(beams, run);
-    halve_at_step(beams, run);
+    halve(beams, run);
+  } else {
+    add(beams, run);
   }
-  std::sort(found_.begin() + num_before, found_.end());
 }
 
+// What the coarser segmentations cut otherwise is all that they add.
 void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) {
   candidates.runs.clear();
   find_gaps(beams);
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
     LegSegmentation& segmentation = candidates.segmentations[i];
     cut(beams, kGaps_m[i], segmentation);
-    found_.clear();
+    num_found_ = 0;
     for (std::size_t k = 0; k < segmentation.runs.size(); ++k) {
       const EchoRun& run = segmentation.runs[k];
       const bool is_known = i > 0 && candidates.segmentations[i - 1].has(run);
       if (!is_known) find_in(beams, run, segmentation.width_m[k]);
     }
+    found_.resize(num_found_);
     merged_.clear();
     std::merge(candidates.runs.begin(), candidates.runs.end(), found_.begin(), found_.end(),
                std::back_inserter(merged_));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/detect/leg/leg_beams.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -40,6 +41,9 @@ struct LegCandidates {
 /// range.
 class LegCandidateFinder {
  public:
+  explicit LegCandidateFinder(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   void find(const LegBeams& beams, LegCandidates& candidates);
 
  private:
@@ -52,12 +56,15 @@ class LegCandidateFinder {
   void find_gaps(const LegBeams& beams);
   void cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const;
   void find_in(const LegBeams& beams, const EchoRun& run, double width_m);
-  void halve_at_notch(const LegBeams& beams, const EchoRun& run);
-  void halve_at_step(const LegBeams& beams, const EchoRun& run);
+  void halve(const LegBeams& beams, const EchoRun& run);
+  int deepest_notch(const LegBeams& beams, const EchoRun& run);
   void add(const LegBeams& beams, const EchoRun& run);
 
+  InstructionSet instructions_;
+  std::vector<int> suspects_;  ///< echoes that may lie behind a gap
   std::vector<Gap> gaps_;
   std::vector<EchoRun> found_, merged_;
+  std::size_t num_found_ = 0;
   std::vector<double> nearest_after_m_;  ///< of each echo of a run: least range from there on
 };
 

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "tests/support/ideal_scene.hpp"
 
@@ -113,6 +115,60 @@ TEST_F(LegCandidatesTest, SegmentationsCoverEveryEchoAndGetCoarser) {
     }
     EXPECT_EQ(next, beams_.num_echoes());
   }
+}
+
+LaserScan scan_with_lost_echoes(unsigned seed) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {5.0, 3.0});
+  for (int i = 0; i < 5; ++i) scene.cylinder({2.0 + 0.3 * i, -1.0 + 0.4 * i}, 0.05 + 0.01 * i);
+  LaserScan scan = testing::with_noise(scene.scan(), 0.03, seed);
+  std::mt19937 dice(seed);
+  for (double& range_m : scan.range_m) {
+    if (dice() % 8 == 0) range_m = kNoEcho;
+  }
+  return scan;
+}
+
+TEST_F(LegCandidatesTest, RunsEndWhereNeighboursLieTooFarApartAndNowhereElse) {
+  constexpr double kGaps_m[] = {0.04, 0.10, 0.16};
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    const LegCandidates& found = find(scan_with_lost_echoes(seed));
+    for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
+      const LegSegmentation& segmentation = found.segmentations[i];
+      for (int k = 1; k < beams_.num_echoes(); ++k) {
+        const int num_steps = beams_.beam[k] - beams_.beam[k - 1];
+        const double range_m = std::min(beams_.echo_range_m[k], beams_.echo_range_m[k - 1]);
+        const double allowed_m = 1.5 * range_m * beams_.step_rad * num_steps;
+        const bool is_cut = num_steps > 3 || beams_.distance_m(k - 1, k) - allowed_m >= kGaps_m[i];
+        EXPECT_EQ(segmentation.run_of_echo[k], segmentation.run_of_echo[k - 1] + (is_cut ? 1 : 0));
+        if (!is_cut) continue;
+        EXPECT_EQ(segmentation.runs[segmentation.run_of_echo[k]].first, k);
+      }
+    }
+  }
+}
+
+TEST_F(LegCandidatesTest, EveryInstructionSetFindsTheSame) {
+  LegCandidateFinder plain(InstructionSet::kPlain);
+  for (unsigned seed = 1; seed < 20; ++seed) {
+    find(scan_with_lost_echoes(seed));
+    LegCandidates found;
+    plain.find(beams_, found);
+    EXPECT_EQ(found.runs, candidates_.runs);
+  }
+}
+
+TEST_F(LegCandidatesTest, ScansWithoutEchoesOrWithASingleOneHaveNone) {
+  LaserScan scan = empty_scan();
+  EXPECT_TRUE(find(scan).runs.empty());
+  for (const int beam : {0, 1, 360}) {
+    scan = empty_scan();
+    scan.range_m[beam] = 2.0;
+    EXPECT_TRUE(find(scan).runs.empty());
+    EXPECT_EQ(candidates_.segmentations[0].runs, (std::vector<EchoRun>{{0, 0}}));
+  }
+  scan.range_m.clear();
+  EXPECT_TRUE(find(scan).runs.empty());
 }
 
 }  // namespace
