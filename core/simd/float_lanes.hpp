@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -58,23 +59,49 @@ using Ints = std::int32_t __attribute__((vector_size(kNumLanes * sizeof(std::int
 #endif
 }
 
-inline float least_of(const Floats& lanes) {
-  float least = lanes[0];
-  for (int i = 1; i < kNumLanes; ++i) least = lanes[i] < least ? lanes[i] : least;
-  return least;
+/// Swaps neighbouring halves, quarters or single lanes: what is folded with it thrice is the same in all
+/// lanes.
+template <int kDistance, typename Lanes>
+[[gnu::always_inline]] inline void swap_across(const Lanes& lanes, Lanes& swapped) {
+  constexpr auto from = [](int lane) { return lane ^ kDistance; };
+  swapped = __builtin_shufflevector(lanes, lanes, from(0), from(1), from(2), from(3), from(4), from(5),
+                                    from(6), from(7));
 }
 
-inline float greatest_of(const Floats& lanes) {
-  float greatest = lanes[0];
-  for (int i = 1; i < kNumLanes; ++i) greatest = lanes[i] > greatest ? lanes[i] : greatest;
-  return greatest;
+[[gnu::always_inline]] inline float least_of(const Floats& values) {
+  Floats lanes = values;
+  Floats others;
+  swap_across<4>(lanes, others);
+  lower(lanes, others);
+  swap_across<2>(lanes, others);
+  lower(lanes, others);
+  swap_across<1>(lanes, others);
+  lower(lanes, others);
+  return lanes[0];
 }
 
 /// How often a comparison held whose results were subtracted.
-inline int sum_of(const Ints& lanes) {
-  int sum = 0;
-  for (int i = 0; i < kNumLanes; ++i) sum += lanes[i];
-  return sum;
+[[gnu::always_inline]] inline int sum_of(const Ints& held) {
+  Ints lanes = held;
+  Ints others;
+  swap_across<4>(lanes, others);
+  lanes += others;
+  swap_across<2>(lanes, others);
+  lanes += others;
+  swap_across<1>(lanes, others);
+  lanes += others;
+  return lanes[0];
+}
+
+/// Of each lane.
+[[gnu::always_inline]] inline void take_square_root(Floats& lanes) {
+#if defined(__SSE2__)
+  const __m128 low = _mm_sqrt_ps(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3));
+  const __m128 high = _mm_sqrt_ps(__builtin_shufflevector(lanes, lanes, 4, 5, 6, 7));
+  lanes = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+  for (int i = 0; i < kNumLanes; ++i) lanes[i] = std::sqrt(lanes[i]);
+#endif
 }
 
 }  // namespace scanbed

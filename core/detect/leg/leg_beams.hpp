@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/detect/features.hpp"
 #include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "core/simd/float_lanes.hpp"
@@ -26,6 +28,10 @@ struct LegBeams {
 
   void resize_echoes(std::size_t num_echoes);
   int num_echoes() const { return static_cast<int>(beam.size()); }
+  /// These beams and so many on either side, as far as there are any.
+  BeamSpan around(const BeamSpan& own, int num_beside) const {
+    return {std::max(0, own.first - num_beside), std::min(num_beams - 1, own.last + num_beside)};
+  }
   /// Between two echoes.
   double distance_m(int a, int b) const {
     const double dx_m = echo_x_m[a] - echo_x_m[b];

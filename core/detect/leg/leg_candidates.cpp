@@ -135,10 +135,11 @@ void LegCandidateFinder::cut(const LegBeams& beams, double gap_m, LegSegmentatio
 // Without a jump, as nothing foretells which runs are candidates; there is room.
 void LegCandidateFinder::add(const LegBeams& beams, const EchoRun& run) {
   const double middle_m = (beams.echo_range_m[run.first] + beams.echo_range_m[run.last]) / 2;
+  const bool is_run = run.size() >= 2;
+  const bool is_narrow = beams.distance_m(run.first, run.last) <= kMaxWidth_m;
+  const bool is_close = middle_m <= kMaxRange_m;
   found_[num_found_] = run;
-  const bool is_candidate =
-      (run.size() >= 2) & (beams.distance_m(run.first, run.last) <= kMaxWidth_m) & (middle_m <= kMaxRange_m);
-  num_found_ += is_candidate ? 1 : 0;
+  num_found_ += is_run && is_narrow && is_close ? 1 : 0;
 }
 
 // The echo that lies farthest behind the nearest one on either side; -1 if none lies far enough.

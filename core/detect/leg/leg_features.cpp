@@ -13,18 +13,13 @@ constexpr float kLegWidth_m = 0.13F;
 constexpr double kMinWallWidth_m = 0.5;
 constexpr double kMinSmallWidth_m = 0.008;  // of a leg that the other one hides no more may be seen
 constexpr double kMaxSmallWidth_m = 0.25;
-constexpr float kSmallReach_m = 1.0F;
-constexpr float kMaxSmallDistance_m = 1.5F;
-constexpr float kNearReach_m = 1.0F;
 constexpr float kBesideReach_m = 0.5F;
-constexpr float kMaxJump_m = 2.0F;
 constexpr double kMaxRadius_m = 0.5;
-constexpr float kFar_m2 = 1e6F;         // beyond all reaches
 constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape too
 constexpr float kMaxRunWidth_m = 5.0F;
 
-float& at(std::array<float, kNumLegFeatures>& values, LegFeature feature) {
-  return values[static_cast<std::size_t>(feature)];
+float& at(const LegFeatureColumn& values, LegFeature feature) {
+  return values.at(feature);
 }
 
 // Moments of a run about its centroid, per point.
@@ -131,99 +126,8 @@ float mean_inscribed_cosine(const LegBeams& beams, const EchoRun& run) {
 // How much farther than `range_m` the beam sees; 0 beyond the edge of view.
 float jump_m(const LegBeams& beams, int beam, double range_m) {
   if (beam < 0 || beam >= beams.num_beams) return 0.0F;
-  return std::clamp(beams.range_m[beam] - static_cast<float>(range_m), -kMaxJump_m, kMaxJump_m);
-}
-
-/// A scan's points around a candidate's centroid.
-struct Surroundings {
-  const float* x_m;
-  const float* y_m;
-  const float* off_wall_m2;
-  float center_x_m, center_y_m;
-};
-
-struct NearEchoes {
-  Ints within30{}, within50{}, within100{}, wall100{};
-  Floats nearest_m2 = Floats{} + kNearReach_m * kNearReach_m;
-  Floats nearest_wall_m2 = nearest_m2;
-};
-
-struct BesideBeams {
-  Ints open25{}, open60{}, hidden{};
-  Floats nearest_m = Floats{} + kMaxJump_m;
-  Floats behind_m = nearest_m;
-};
-
-// The next two go through blocks of beams. Of the last block, lanes past the end do not count.
-
-constexpr Ints kLane{0, 1, 2, 3, 4, 5, 6, 7};
-
-[[gnu::always_inline]] inline void count_near_in(const Surroundings& around, const BeamSpan& beams,
-                                                 NearEchoes& total) {
-  NearEchoes near = total;
-  Floats x, y, off_wall;
-  const Floats none{};
-  for (int begin = beams.first; begin <= beams.last; begin += kNumLanes) {
-    load(around.x_m + begin, x);
-    load(around.y_m + begin, y);
-    load(around.off_wall_m2 + begin, off_wall);
-    const Floats dx = x - around.center_x_m;
-    const Floats dy = y - around.center_y_m;
-    const Floats d2 = dx * dx + dy * dy + (kLane <= beams.last - begin ? none : none + kFar_m2);
-    const Floats wall2 = d2 + off_wall;
-    near.within30 -= d2 < 0.09F;
-    near.within50 -= d2 < 0.25F;
-    near.within100 -= d2 < 1.0F;
-    near.wall100 -= wall2 < 1.0F;
-    lower(near.nearest_m2, d2);
-    lower(near.nearest_wall_m2, wall2);
-  }
-  total = near;
-}
-
-[[gnu::always_inline]] inline void look_beside_in(const float* ranges_m, float own_m, const BeamSpan& beams,
-                                                  BesideBeams& total) {
-  BesideBeams beside = total;
-  Floats range_m;
-  const Floats most = Floats{} + kMaxJump_m;
-  for (int begin = beams.first; begin <= beams.last; begin += kNumLanes) {
-    load(ranges_m + begin, range_m);
-    const Ints in = kLane <= beams.last - begin;
-    const Floats farther = range_m - own_m;
-    beside.open25 -= (farther > 0.25F) & in;
-    beside.open60 -= (farther > 0.6F) & in;
-    beside.hidden -= (farther < -0.15F) & in;
-    const Floats off = farther < 0.0F ? -farther : farther;
-    lower(beside.nearest_m, in ? off : most);
-    lower(beside.behind_m, ((farther > -0.1F) & in) ? farther : most);
-  }
-  total = beside;
-}
-
-#if defined(SCANBED_HAS_AVX2)
-SCANBED_AVX2 void count_near_avx2(const Surroundings& around, const BeamSpan& beams, NearEchoes& near) {
-  count_near_in(around, beams, near);
-}
-
-SCANBED_AVX2 void look_beside_avx2(const float* ranges_m, float own_m, const BeamSpan& beams,
-                                   BesideBeams& beside) {
-  look_beside_in(ranges_m, own_m, beams, beside);
-}
-#endif
-
-void count_near(InstructionSet set, const Surroundings& around, const BeamSpan& beams, NearEchoes& near) {
-#if defined(SCANBED_HAS_AVX2)
-  if (set == InstructionSet::kAvx2) return count_near_avx2(around, beams, near);
-#endif
-  count_near_in(around, beams, near);
-}
-
-void look_beside(InstructionSet set, const float* ranges_m, float own_m, const BeamSpan& beams,
-                 BesideBeams& beside) {
-#if defined(SCANBED_HAS_AVX2)
-  if (set == InstructionSet::kAvx2) return look_beside_avx2(ranges_m, own_m, beams, beside);
-#endif
-  look_beside_in(ranges_m, own_m, beams, beside);
+  return std::clamp(beams.range_m[beam] - static_cast<float>(range_m), -LegSurroundings::kMaxJump_m,
+                    LegSurroundings::kMaxJump_m);
 }
 
 // No less than asin(reach / distance), half the angle under which a disc is seen; pi from within.
@@ -231,6 +135,22 @@ double greatest_half_view_rad(float reach_m, float distance_m) {
   if (distance_m <= 1.01F * reach_m) return kPi;
   const double s = static_cast<double>(reach_m / distance_m);
   return s * (1.0 + (kPi / 2.0 - 1.0) * s * s);
+}
+
+void read_jumps(const LegBeams& beams, const EchoRun& run, const LegFeatureColumn& values) {
+  const float left_m = jump_m(beams, beams.beam[run.first] - 1, beams.echo_range_m[run.first]);
+  const float right_m = jump_m(beams, beams.beam[run.last] + 1, beams.echo_range_m[run.last]);
+  at(values, LegFeature::kLeastJump) = std::min(left_m, right_m);
+  at(values, LegFeature::kLargestJump) = std::max(left_m, right_m);
+}
+
+void read_widths(const LegCandidates& candidates, const EchoRun& run, const LegFeatureColumn& values) {
+  constexpr std::array kWidths = {LegFeature::kFineWidth, LegFeature::kMiddleWidth, LegFeature::kCoarseWidth};
+  for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
+    const LegSegmentation& segmentation = candidates.segmentations[i];
+    const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
+    at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
+  }
 }
 
 }  // namespace
@@ -250,36 +170,40 @@ void LegFeatureTable::copy(int from, int to) {
 }
 
 void LegFeatureReader::mark_surroundings(const LegBeams& beams, const LegSegmentation& segmentation) {
-  off_wall_m2_.assign(beams.range_m.size(), kFar_m2);
+  around_.range_m.copy(beams.range_m);
+  around_.x_m.copy(beams.x_m);
+  around_.y_m.copy(beams.y_m);
+  around_.off_wall_m2.fill(beams.range_m.size(), LegSurroundings::kFar_m2);
   small_runs_.clear();
   for (std::size_t i = 0; i < segmentation.runs.size(); ++i) {
     const EchoRun& run = segmentation.runs[i];
     const double width_m = segmentation.width_m[i];
     if (width_m > kMinWallWidth_m) {
-      for (int k = run.first; k <= run.last; ++k) off_wall_m2_[beams.beam[k]] = 0.0F;
+      for (int k = run.first; k <= run.last; ++k) *around_.off_wall_m2.from(beams.beam[k]) = 0.0F;
     } else if (run.size() >= 2 && width_m >= kMinSmallWidth_m && width_m <= kMaxSmallWidth_m) {
-      const Eigen::Vector2d p_m = centroid_m(beams, run);
-      small_runs_.push_back(
-          {run, static_cast<float>(p_m.x()), static_cast<float>(p_m.y()), static_cast<float>(width_m)});
+      const Eigen::Vector2f p_m = centroid_m(beams, run).cast<float>();
+      const BeamSpan span{beams.beam[run.first], beams.beam[run.last]};
+      small_runs_.push_back({{span, p_m.x(), p_m.y()}, static_cast<float>(width_m)});
     }
   }
 }
 
-void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, Values& values) {
+void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, int candidate, Values values) {
   const int n = run.size();
   const Moments m = moments_of(beams, run);
-  x_m_ = static_cast<float>(m.x);
-  y_m_ = static_cast<float>(m.y);
-  range_m_ = static_cast<float>(m.range);
-  spacing_m_ = static_cast<float>(m.range * beams.step_rad);
+  const auto range_m = static_cast<float>(m.range);
+  const auto spacing_m = static_cast<float>(m.range * beams.step_rad);
+  places_[candidate] = {
+      {beams.beam[run.first], beams.beam[run.last]}, static_cast<float>(m.x), static_cast<float>(m.y)};
+  extents_[candidate] = {range_m, spacing_m};
   const double dx = beams.echo_x_m[run.last] - beams.echo_x_m[run.first];
   const double dy = beams.echo_y_m[run.last] - beams.echo_y_m[run.first];
   const double chord_m = std::sqrt(dx * dx + dy * dy);
   const auto width_m = static_cast<float>(chord_m);
   at(values, LegFeature::kNumPoints) = static_cast<float>(n);
   at(values, LegFeature::kWidth) = width_m;
-  at(values, LegFeature::kFilled) = static_cast<float>(n) * spacing_m_ / kLegWidth_m;
-  at(values, LegFeature::kRange) = range_m_;
+  at(values, LegFeature::kFilled) = static_cast<float>(n) * spacing_m / kLegWidth_m;
+  at(values, LegFeature::kRange) = range_m;
   const CircleShape circle = circle_of(m, n);
   at(values, LegFeature::kCircleResidual) = circle.residual_m;
   at(values, LegFeature::kCircleRadius) = circle.radius_m;
@@ -298,88 +222,79 @@ void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, Val
   at(values, LegFeature::kStep) = static_cast<float>(std::sqrt(m.step2));
 }
 
-void LegFeatureReader::read_small_neighbours(const EchoRun& run, Values& values) const {
-  int num_small = 0;
-  float nearest_m2 = kMaxSmallDistance_m * kMaxSmallDistance_m;
-  float width_m = -1.0F;
-  for (const SmallRun& small : small_runs_) {
-    const bool is_own = small.run.last >= run.first && small.run.first <= run.last;
-    const float dx = small.x_m - x_m_;
-    const float dy = small.y_m - y_m_;
-    const float distance_m2 = is_own ? kFar_m2 : dx * dx + dy * dy;
-    num_small += distance_m2 < kSmallReach_m * kSmallReach_m ? 1 : 0;
-    width_m = distance_m2 < nearest_m2 ? small.width_m : width_m;
-    nearest_m2 = std::min(nearest_m2, distance_m2);
+void LegFeatureReader::read_small_neighbours(LegFeatureTable& table) const {
+  LegPlaceLanes own;
+  SmallNeighbours found;
+  for (int i = 0; i < table.num_blocks(); ++i) {
+    own.read(std::span(places_).subspan(static_cast<std::size_t>(i) * kNumLanes));
+    find_small(instructions_, small_runs_, own, found);
+    take_square_root(found.nearest_m2);
+    table.write(LegFeature::kNumSmall, i, __builtin_convertvector(found.num, Floats));
+    table.write(LegFeature::kNearestSmall, i, found.nearest_m2);
+    table.write(LegFeature::kSmallWidth, i, found.width_m);
   }
-  at(values, LegFeature::kNumSmall) = static_cast<float>(num_small);
-  at(values, LegFeature::kNearestSmall) = std::sqrt(nearest_m2);
-  at(values, LegFeature::kSmallWidth) = width_m;
 }
 
-void LegFeatureReader::read_near(const LegBeams& beams, const EchoRun& run, Values& values) {
-  const int own_first = beams.beam[run.first];
-  const int own_last = beams.beam[run.last];
-  // Beams farther than this from the ends pass all that is within reach: the centroid lies between the ends.
-  const float center_m = std::sqrt(x_m_ * x_m_ + y_m_ * y_m_);
-  const double half_rad = greatest_half_view_rad(kNearReach_m, center_m);
-  const int half = static_cast<int>(std::min(half_rad / beams.step_rad + 2.0, 1.0 * beams.num_beams));
-  const Surroundings around{beams.x_m.data(), beams.y_m.data(), off_wall_m2_.data(), x_m_, y_m_};
-  NearEchoes near;
-  count_near(instructions_, around, {std::max(0, own_first - half), own_first - 1}, near);
-  count_near(instructions_, around, {own_last + 1, std::min(beams.num_beams - 1, own_last + half)}, near);
-  at(values, LegFeature::kNear30) = static_cast<float>(sum_of(near.within30)) * spacing_m_;
-  at(values, LegFeature::kNear50) = static_cast<float>(sum_of(near.within50)) * spacing_m_;
-  at(values, LegFeature::kNear100) = static_cast<float>(sum_of(near.within100)) * spacing_m_;
-  at(values, LegFeature::kNearWall100) = static_cast<float>(sum_of(near.wall100)) * spacing_m_;
-  at(values, LegFeature::kNearest) = std::sqrt(least_of(near.nearest_m2));
-  at(values, LegFeature::kNearestWall) = std::sqrt(least_of(near.nearest_wall_m2));
+// For all candidates before any is looked around: how far a loop goes must be known long before it starts,
+// for the CPU cannot foretell it.
+void LegFeatureReader::find_extents(const LegBeams& beams) {
+  for (std::size_t c = 0; c < places_.size(); ++c) {
+    const LegPlace& own = places_[c];
+    // Beams farther than this from the ends pass all that is within reach: the centroid lies between the
+    // ends.
+    const float center_m = std::sqrt(own.x_m * own.x_m + own.y_m * own.y_m);
+    const double half_rad = greatest_half_view_rad(LegSurroundings::kNearReach_m, center_m);
+    const double near = std::min(half_rad / beams.step_rad + 2.0, 1.0 * beams.num_beams);
+    extents_[c].near = beams.around(own.beams, static_cast<int>(near));
+    const double reach = std::ceil(static_cast<double>(kBesideReach_m / extents_[c].spacing_m));
+    const double beside = std::clamp(reach, 1.0, static_cast<double>(beams.num_beams));
+    extents_[c].beside = beams.around(own.beams, static_cast<int>(beside));
+  }
 }
 
-void LegFeatureReader::read_beside(const LegBeams& beams, const EchoRun& run, Values& values) {
-  const int own_first = beams.beam[run.first];
-  const int own_last = beams.beam[run.last];
-  const double reach = std::ceil(static_cast<double>(kBesideReach_m / spacing_m_));
-  const int half = static_cast<int>(std::clamp(reach, 1.0, static_cast<double>(beams.num_beams)));
-  const int first = std::max(0, own_first - half);
-  const int last = std::min(beams.num_beams - 1, own_last + half);
-  BesideBeams beside;
-  look_beside(instructions_, beams.range_m.data(), range_m_, {first, own_first - 1}, beside);
-  look_beside(instructions_, beams.range_m.data(), range_m_, {own_last + 1, last}, beside);
-  const int in_view = (own_first - first) + (last - own_last);
+void LegFeatureReader::read_near(int candidate, Values values) const {
+  const Extent& extent = extents_[candidate];
+  const NearEchoes near =
+      count_near(instructions_, {around_, places_[candidate], extent.range_m}, extent.near);
+  at(values, LegFeature::kNear30) = static_cast<float>(near.num_within30) * extent.spacing_m;
+  at(values, LegFeature::kNear50) = static_cast<float>(near.num_within50) * extent.spacing_m;
+  at(values, LegFeature::kNear100) = static_cast<float>(near.num_within100) * extent.spacing_m;
+  at(values, LegFeature::kNearWall100) = static_cast<float>(near.num_wall100) * extent.spacing_m;
+  at(values, LegFeature::kNearest) = std::sqrt(near.nearest_m2);
+  at(values, LegFeature::kNearestWall) = std::sqrt(near.nearest_wall_m2);
+}
+
+void LegFeatureReader::read_beside(int candidate, Values values) const {
+  const BeamSpan& own = places_[candidate].beams;
+  const BeamSpan& all = extents_[candidate].beside;
+  const BesideBeams beside =
+      look_beside(instructions_, {around_, places_[candidate], extents_[candidate].range_m}, all);
+  const int in_view = (own.first - all.first) + (all.last - own.last);
   const float each = in_view > 0 ? 1.0F / static_cast<float>(in_view) : 0.0F;
   const float unknown = in_view > 0 ? 0.0F : 0.5F;
-  at(values, LegFeature::kOpen25) = unknown + static_cast<float>(sum_of(beside.open25)) * each;
-  at(values, LegFeature::kOpen60) = unknown + static_cast<float>(sum_of(beside.open60)) * each;
-  at(values, LegFeature::kHidden) = static_cast<float>(sum_of(beside.hidden)) * each;
-  at(values, LegFeature::kNearestBeside) = least_of(beside.nearest_m);
-  at(values, LegFeature::kNearestBehind) = least_of(beside.behind_m);
-  const float left_m = jump_m(beams, own_first - 1, beams.echo_range_m[run.first]);
-  const float right_m = jump_m(beams, own_last + 1, beams.echo_range_m[run.last]);
-  at(values, LegFeature::kLeastJump) = std::min(left_m, right_m);
-  at(values, LegFeature::kLargestJump) = std::max(left_m, right_m);
+  at(values, LegFeature::kOpen25) = unknown + static_cast<float>(beside.num_open25) * each;
+  at(values, LegFeature::kOpen60) = unknown + static_cast<float>(beside.num_open60) * each;
+  at(values, LegFeature::kHidden) = static_cast<float>(beside.num_hidden) * each;
+  at(values, LegFeature::kNearestBeside) = beside.nearest_m;
+  at(values, LegFeature::kNearestBehind) = beside.behind_m;
 }
 
 void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table) {
   mark_surroundings(beams, candidates.segmentations[1]);
   const int num_candidates = static_cast<int>(candidates.runs.size());
   table.resize(num_candidates);
-  constexpr std::array kWidths = {LegFeature::kFineWidth, LegFeature::kMiddleWidth, LegFeature::kCoarseWidth};
-  places_.clear();
-  Values values{};
+  places_.resize(num_candidates);
+  extents_.resize(num_candidates);
+  for (int c = 0; c < num_candidates; ++c) read_shape(beams, candidates.runs[c], c, table.column(c));
+  find_extents(beams);
   for (int c = 0; c < num_candidates; ++c) {
-    const EchoRun& run = candidates.runs[c];
-    read_shape(beams, run, values);
-    read_small_neighbours(run, values);
-    read_near(beams, run, values);
-    read_beside(beams, run, values);
-    for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
-      const LegSegmentation& segmentation = candidates.segmentations[i];
-      const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
-      at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
-    }
-    for (int f = 0; f < kNumOwnLegFeatures; ++f) table.at(f, c) = values[f];
-    places_.push_back({{beams.beam[run.first], beams.beam[run.last]}, x_m_, y_m_});
+    const Values values = table.column(c);
+    read_near(c, values);
+    read_beside(c, values);
+    read_jumps(beams, candidates.runs[c], values);
+    read_widths(candidates, candidates.runs[c], values);
   }
+  read_small_neighbours(table);
 }
 
 }  // namespace scanbed

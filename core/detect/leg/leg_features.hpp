@@ -10,6 +10,7 @@
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
 #include "core/detect/leg/leg_place.hpp"
+#include "core/detect/leg/leg_surroundings.hpp"
 #include "core/simd/float_lanes.hpp"
 #include "core/simd/instruction_set.hpp"
 
@@ -60,6 +61,16 @@ inline constexpr int kNumLegFeatures = static_cast<int>(LegFeature::kCount);
 /// What is measured of each candidate by itself stands before what others add.
 inline constexpr int kNumOwnLegFeatures = static_cast<int>(LegFeature::kPartner35);
 
+/// What is measured of one candidate, wherever it stands.
+class LegFeatureColumn {
+ public:
+  explicit LegFeatureColumn(float* first) : first_(first) {}
+  float& at(LegFeature feature) const { return first_[kNumLanes * static_cast<int>(feature)]; }
+
+ private:
+  float* first_;
+};
+
 /// Features of many candidates, in blocks: what is read together stands together.
 class LegFeatureTable {
  public:
@@ -75,6 +86,7 @@ class LegFeatureTable {
   int num_blocks() const { return (num_candidates_ + kBlock - 1) / kBlock; }
   float& at(int feature, int candidate) { return values_[index(feature, candidate)]; }
   float at(int feature, int candidate) const { return values_[index(feature, candidate)]; }
+  LegFeatureColumn column(int candidate) { return LegFeatureColumn(&at(0, candidate)); }
   /// Feature f of the block's i-th candidate stands at kBlock f + i.
   const float* block(int number) const { return values_.data() + index(0, kBlock * number); }
   /// Sets a feature of all the block's candidates.
@@ -105,24 +117,26 @@ class LegFeatureReader {
   const std::vector<LegPlace>& places() const { return places_; }
 
  private:
-  /// A run that could be somebody's other leg.
-  struct SmallRun {
-    EchoRun run;
-    float x_m = 0.0F, y_m = 0.0F, width_m = 0.0F;
+  /// How far a candidate's surroundings go, itself included.
+  struct Extent {
+    float range_m = 0.0F, spacing_m = 0.0F;  ///< mean, and between its beams there
+    BeamSpan near, beside;
   };
-  using Values = std::array<float, kNumLegFeatures>;
+  using Values = LegFeatureColumn;
 
   void mark_surroundings(const LegBeams& beams, const LegSegmentation& segmentation);
-  void read_shape(const LegBeams& beams, const EchoRun& run, Values& values);
-  void read_small_neighbours(const EchoRun& run, Values& values) const;
-  void read_near(const LegBeams& beams, const EchoRun& run, Values& values);
-  void read_beside(const LegBeams& beams, const EchoRun& run, Values& values);
+  void read_shape(const LegBeams& beams, const EchoRun& run, int candidate, Values values);
+  void find_extents(const LegBeams& beams);
+  void read_near(int candidate, Values values) const;
+  void read_beside(int candidate, Values values) const;
+  void read_small_neighbours(LegFeatureTable& table) const;
 
   InstructionSet instructions_;
-  std::vector<float> off_wall_m2_;  ///< of each beam: 0 on a wall-like run, else much; padded like beams
+  LegSurroundings around_;
   std::vector<SmallRun> small_runs_;
+  // Of each candidate.
   std::vector<LegPlace> places_;
-  float x_m_ = 0.0F, y_m_ = 0.0F, range_m_ = 0.0F, spacing_m_ = 0.0F;  ///< of the candidate at hand
+  std::vector<Extent> extents_;
 };
 
 /// Mean position of a run's echoes, sensor frame S.
