@@ -68,14 +68,14 @@ int list_suspects(InstructionSet set, const LegBeams& beams, int* suspects) {
 
 // Writes whole blocks: what reaches into the next run is written over by that.
 void number_echoes(int num_echoes, LegSegmentation& segmentation) {
-  std::vector<int>& run_of_echo = segmentation.run_of_echo;
-  run_of_echo.resize(num_echoes + kNumLanes);
-  for (std::size_t i = 0; i < segmentation.runs.size(); ++i) {
-    const EchoRun& run = segmentation.runs[i];
-    const Ints number = Ints{} + static_cast<int>(i);
-    for (int k = run.first; k <= run.last; k += kNumLanes) store(number, run_of_echo.data() + k);
+  segmentation.run_of_echo.resize(num_echoes + kNumLanes);
+  int* const run_of_echo = segmentation.run_of_echo.data();
+  Ints number{};
+  for (const auto [first, last] : segmentation.runs) {
+    for (int k = first; k <= last; k += kNumLanes) store(number, run_of_echo + k);
+    number += 1;
   }
-  run_of_echo.resize(num_echoes);
+  segmentation.run_of_echo.resize(num_echoes);
 }
 
 // The echo before the largest step of range.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/angles.hpp"
+#include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
 namespace {
@@ -48,30 +49,33 @@ Moments means_of(const LegBeams& beams, const EchoRun& run) {
 
 Moments moments_of(const LegBeams& beams, const EchoRun& run) {
   Moments m = means_of(beams, run);
+  // Two sums each, so that one instruction adds to both.
+  Doubles xx_yy{}, xz_yz{}, xy_zz{}, range_step{};
   double sum_z = 0.0;
+  const Doubles mean{m.x, m.y};
   double before = beams.echo_range_m[run.first];
   for (int k = run.first; k <= run.last; ++k) {
-    const double x = beams.echo_x_m[k] - m.x;
-    const double y = beams.echo_y_m[k] - m.y;
-    const double z = x * x + y * y;
-    const double off = beams.echo_range_m[k] - m.range;
-    const double step = beams.echo_range_m[k] - before;
+    const Doubles p = Doubles{beams.echo_x_m[k], beams.echo_y_m[k]} - mean;
+    const Doubles squares = p * p;
+    const Doubles z = squares + swapped(squares);
+    const Doubles off = both_lanes(beams.echo_range_m[k]) - Doubles{m.range, before};
     before = beams.echo_range_m[k];
-    m.xx += x * x;
-    m.xy += x * y;
-    m.yy += y * y;
-    m.xz += x * z;
-    m.yz += y * z;
-    m.zz += z * z;
-    sum_z += z;
-    m.range_var += off * off;
-    m.step2 += step * step;
+    xx_yy += squares;
+    xz_yz += p * z;
+    xy_zz += Doubles{p[0], z[0]} * Doubles{p[1], z[1]};
+    range_step += off * off;
+    sum_z += z[0];
   }
   const double each = 1.0 / run.size();
   const double mean_z = sum_z * each;
-  for (double* sum : {&m.xx, &m.xy, &m.yy, &m.xz, &m.yz, &m.zz, &m.range_var}) *sum *= each;
-  m.zz -= mean_z * mean_z;
-  m.step2 /= run.size() - 1;
+  m.xx = xx_yy[0] * each;
+  m.yy = xx_yy[1] * each;
+  m.xz = xz_yz[0] * each;
+  m.yz = xz_yz[1] * each;
+  m.xy = xy_zz[0] * each;
+  m.zz = xy_zz[1] * each - mean_z * mean_z;
+  m.range_var = range_step[0] * each;
+  m.step2 = range_step[1] / (run.size() - 1);
   return m;
 }
 
@@ -179,7 +183,9 @@ void LegFeatureReader::mark_surroundings(const LegBeams& beams, const LegSegment
     const EchoRun& run = segmentation.runs[i];
     const double width_m = segmentation.width_m[i];
     if (width_m > kMinWallWidth_m) {
-      for (int k = run.first; k <= run.last; ++k) *around_.off_wall_m2.from(beams.beam[k]) = 0.0F;
+      // Beams without echo among them are far from everything.
+      std::fill(around_.off_wall_m2.from(beams.beam[run.first]),
+                around_.off_wall_m2.from(beams.beam[run.last] + 1), 0.0F);
     } else if (run.size() >= 2 && width_m >= kMinSmallWidth_m && width_m <= kMaxSmallWidth_m) {
       const Eigen::Vector2f p_m = centroid_m(beams, run).cast<float>();
       const BeamSpan span{beams.beam[run.first], beams.beam[run.last]};
