@@ -14,19 +14,20 @@ bool are_one(const Leg& a, const Leg& b) {
   return overlap || (a.middle_m - b.middle_m).squaredNorm() < kApart_m * kApart_m;
 }
 
+bool is_better(const Leg& a, const Leg& b) {
+  if (a.score != b.score) return a.score > b.score;
+  return std::tie(a.beams.first, a.beams.last) < std::tie(b.beams.first, b.beams.last);
+}
+
 }  // namespace
 
 void keep_best_legs(std::vector<Leg>& legs) {
-  std::sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) {
-    return std::tie(b.score, a.beams.first, a.beams.last) < std::tie(a.score, b.beams.first, b.beams.last);
-  });
-  auto kept_end = legs.begin();
-  for (const Leg& leg : legs) {
-    const bool is_known =
-        std::any_of(legs.begin(), kept_end, [&](const Leg& kept) { return are_one(leg, kept); });
-    if (!is_known) *kept_end++ = leg;
+  for (auto rest = legs.begin(); rest != legs.end();) {
+    std::iter_swap(rest, std::min_element(rest, legs.end(), is_better));
+    const Leg& best = *rest++;
+    legs.erase(std::remove_if(rest, legs.end(), [&](const Leg& leg) { return are_one(leg, best); }),
+               legs.end());
   }
-  legs.erase(kept_end, legs.end());
 }
 
 }  // namespace scanbed

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 namespace scanbed {
 namespace {
@@ -96,8 +97,8 @@ int largest_step(const LegBeams& beams, const EchoRun& run) {
 void LegCandidateFinder::find_gaps(const LegBeams& beams) {
   gaps_.clear();
   suspects_.resize(beams.num_echoes());
-  suspects_.resize(list_suspects(instructions_, beams, suspects_.data()));
-  for (const int k : suspects_) {
+  const int num_suspects = list_suspects(instructions_, beams, suspects_.data());
+  for (const int k : std::span(suspects_).first(num_suspects)) {
     if (k == 0) continue;
     const int num_steps = beams.beam[k] - beams.beam[k - 1];
     const double range_m = std::min(beams.echo_range_m[k], beams.echo_range_m[k - 1]);

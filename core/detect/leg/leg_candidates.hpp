@@ -61,7 +61,7 @@ class LegCandidateFinder {
   void add(const LegBeams& beams, const EchoRun& run);
 
   InstructionSet instructions_;
-  std::vector<int> suspects_;  ///< echoes that may lie behind a gap
+  std::vector<int> suspects_;  ///< echoes that may lie behind a gap, and room
   std::vector<Gap> gaps_;
   std::vector<EchoRun> found_, merged_;
   std::size_t num_found_ = 0;
