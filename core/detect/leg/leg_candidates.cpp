@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <span>
 
@@ -210,9 +209,8 @@ void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) 
       if (!is_known) find_in(beams, run, segmentation.width_m[k]);
     }
     found_.resize(num_found_);
-    merged_.clear();
-    std::merge(candidates.runs.begin(), candidates.runs.end(), found_.begin(), found_.end(),
-               std::back_inserter(merged_));
+    merged_.resize(candidates.runs.size() + num_found_);
+    std::merge(candidates.runs.begin(), candidates.runs.end(), found_.begin(), found_.end(), merged_.begin());
     std::swap(candidates.runs, merged_);
   }
   const auto end = std::unique(candidates.runs.begin(), candidates.runs.end());

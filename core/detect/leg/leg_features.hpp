@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -65,7 +66,7 @@ inline constexpr int kNumOwnLegFeatures = static_cast<int>(LegFeature::kPartner3
 class LegFeatureColumn {
  public:
   explicit LegFeatureColumn(float* first) : first_(first) {}
-  float& at(LegFeature feature) const { return first_[kNumLanes * static_cast<int>(feature)]; }
+  float& at(LegFeature feature) const { return first_[kNumLanes * static_cast<std::ptrdiff_t>(feature)]; }
 
  private:
   float* first_;

@@ -18,7 +18,8 @@ class PaddedBeams {
  public:
   /// Takes over values that are padded behind, by one block at least.
   void copy(const std::vector<float>& values) {
-    fill(values.size(), values.back());
+    values_.resize(values.size() + kNumLanes);
+    std::fill_n(values_.begin(), kNumLanes, values.back());
     std::copy(values.begin(), values.end(), from(0));
   }
   void fill(std::size_t num_values, float value) { values_.assign(num_values + kNumLanes, value); }
