@@ -6,27 +6,60 @@
 #include <cstddef>
 
 namespace scanbed::bench {
+namespace {
 
-Logistic fit_logistic(std::span<const JudgedSum> judged) {
-  double a = 1.0;
-  double b = 0.0;
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    double ga = 0, gb = 0, haa = 1e-9, hab = 0, hbb = 1e-9;
-    for (const JudgedSum& j : judged) {
-      const double p = 1.0 / (1.0 + std::exp(-(a * j.sum + b)));
-      const double slope = (j.is_leg ? 1.0 : 0.0) - p;
-      const double curvature = p * (1.0 - p);
-      ga += slope * j.sum;
-      gb += slope;
-      haa += curvature * j.sum * j.sum;
-      hab += curvature * j.sum;
-      hbb += curvature;
-    }
-    const double det = haa * hbb - hab * hab;
-    a += (ga * hbb - gb * hab) / det;
-    b += (gb * haa - ga * hab) / det;
+constexpr int kMaxIterations = 50;
+constexpr double kLeastShare = 1e-6;  // of a step
+
+double probability(const Logistic& logistic, double sum) {
+  return 1.0 / (1.0 + std::exp(-(logistic.slope * sum + logistic.offset)));
+}
+
+// Minus the log-likelihood; log(1 + e^x) without overflow.
+double loss_of(const Logistic& logistic, std::span<const JudgedSum> judged) {
+  double loss = 0.0;
+  for (const JudgedSum& j : judged) {
+    const double log_odds = logistic.slope * j.sum + logistic.offset;
+    const double against = j.is_leg ? -log_odds : log_odds;
+    loss += std::max(against, 0.0) + std::log1p(std::exp(-std::abs(against)));
   }
-  return {a, b};
+  return loss;
+}
+
+Logistic newton_step(const Logistic& at, std::span<const JudgedSum> judged) {
+  double ga = 0.0, gb = 0.0, haa = 1e-9, hab = 0.0, hbb = 1e-9;
+  for (const JudgedSum& j : judged) {
+    const double p = probability(at, j.sum);
+    const double slope = (j.is_leg ? 1.0 : 0.0) - p;
+    const double curvature = p * (1.0 - p);
+    ga += slope * j.sum;
+    gb += slope;
+    haa += curvature * j.sum * j.sum;
+    hab += curvature * j.sum;
+    hbb += curvature;
+  }
+  const double det = haa * hbb - hab * hab;
+  return {(ga * hbb - gb * hab) / det, (gb * haa - ga * hab) / det};
+}
+
+}  // namespace
+
+// A step that overshoots is halved.
+Logistic fit_logistic(std::span<const JudgedSum> judged) {
+  Logistic best{.slope = 0.0, .offset = 0.0};
+  double least_loss = loss_of(best, judged);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const Logistic step = newton_step(best, judged);
+    for (double share = 1.0; share > kLeastShare; share /= 2.0) {
+      const Logistic next{best.slope + share * step.slope, best.offset + share * step.offset};
+      const double loss = loss_of(next, judged);
+      if (loss >= least_loss) continue;
+      best = next;
+      least_loss = loss;
+      break;
+    }
+  }
+  return best;
 }
 
 float bound_that_loses(double share, std::vector<float> sums) {

@@ -9,11 +9,12 @@
 namespace scanbed::bench {
 namespace {
 
-// At each sum as many legs of 10000 as the curve says, to the nearest.
-std::vector<JudgedSum> drawn_from(const Logistic& logistic) {
+// At each of 13 sums as many legs of 10000 as the curve says, to the nearest.
+std::vector<JudgedSum> drawn_from(const Logistic& logistic, double greatest_sum = 3.0) {
   constexpr int kNumEach = 10000;
   std::vector<JudgedSum> judged;
-  for (double sum = -3.0; sum <= 3.0; sum += 0.5) {
+  for (int k = -6; k <= 6; ++k) {
+    const double sum = greatest_sum * k / 6.0;
     const double p = 1.0 / (1.0 + std::exp(-(logistic.slope * sum + logistic.offset)));
     const auto num_legs = static_cast<int>(std::lround(kNumEach * p));
     for (int i = 0; i < kNumEach; ++i) judged.push_back({sum, i < num_legs});
@@ -28,6 +29,14 @@ TEST(LegCalibrationTest, RecoversTheCurveThatTheAnswersWereDrawnFrom) {
     EXPECT_NEAR(fitted.slope, logistic.slope, 1e-3);
     EXPECT_NEAR(fitted.offset, logistic.offset, 1e-3);
   }
+}
+
+// Where most answers are certain, whole steps of Newton's method overshoot.
+TEST(LegCalibrationTest, RecoversTheCurveOfSumsThatAreNearlyCertain) {
+  const Logistic logistic{0.5, -1.0};
+  const Logistic fitted = fit_logistic(drawn_from(logistic, 30.0));
+  EXPECT_NEAR(fitted.slope, logistic.slope, 1e-2);
+  EXPECT_NEAR(fitted.offset, logistic.offset, 2e-2);
 }
 
 TEST(LegCalibrationTest, SumsThatSayNothingLeaveTheShareOfLegs) {
