@@ -10,6 +10,7 @@
 #include "bench/results/labels.hpp"
 #include "bench/results/recorded_scans.hpp"
 #include "bench/train_legs/leg_worlds.hpp"
+#include "core/detect/feature_detector.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/score/match_options.hpp"
 #include "sim/generate/random_world.hpp"
@@ -28,14 +29,24 @@ constexpr double kLabelledRange_m = 4.9;
 constexpr double kMinOwnShare = 0.75;
 constexpr double kMinCoveredShare = 0.65;
 constexpr double kMaxLegShare = 0.4;
+constexpr double kMaxSliver = 0.3;  // of a leg's beams: no leg by itself
+constexpr int kMinVisibleBeams = 3;
+constexpr double kThinLeg_m = 0.10;  // across
 constexpr double kMaxPostShare = 0.3;
 constexpr double kMaxLostShare = 0.03;
 constexpr double kMinPostRadius_m = 0.035;
 
 constexpr double kLaserHeight_m = 0.28;
+constexpr double kTurningShare = 0.3;
+constexpr double kMaxTurn_rad_per_s = 2.2;
 constexpr double kBetweenScans_s = 2.0;  // a walker's legs stand otherwise then
 
 using Judge = std::function<LegAnswer(const LegSample&)>;
+
+DetectorOptions without_legs(DetectorOptions options) {
+  options.leg.enabled = false;
+  return options;
+}
 
 /// Runs candidates and features as the detector does.
 class Sampler {
@@ -43,7 +54,7 @@ class Sampler {
   void sample(const LaserScan& scan, int number, const Judge& judge, const LegSampleSink& use) {
     reader_.read(scan, beams_);
     finder_.find(beams_, candidates_);
-    feature_reader_.read(beams_, candidates_, table_);
+    feature_reader_.read(beams_, candidates_, surface_detector_.detect(scan), table_);
     for (std::size_t c = 0; c < candidates_.runs.size(); ++c) {
       const EchoRun& run = candidates_.runs[c];
       LegSample sample;
@@ -63,6 +74,7 @@ class Sampler {
   LegCandidates candidates_;
   LegFeatureReader feature_reader_;
   LegFeatureTable table_;
+  FeatureDetector surface_detector_{without_legs(robust_options())};
 };
 
 LegAnswer by_labels(const LegSample& sample, const std::vector<Eigen::Vector2d>& labels) {
@@ -91,34 +103,51 @@ bool might_be_leg(const ObjectTruth& object) {
          object.radius_m < MatchOptions{}.narrow_cylinder_m;
 }
 
+// How the beams of a candidate, and of the whole scan, lie on one leg.
+struct BeamsOnLeg {
+  int in_candidate = 0;
+  int in_scan = 0;
+};
+
+std::map<std::string, BeamsOnLeg> beams_on_legs(const LegSample& sample, const LaserScan& scan,
+                                                const Truth& truth) {
+  std::map<std::string, BeamsOnLeg> legs;
+  for (int i = 0; i < scan.num_beams(); ++i) {
+    const std::string leg = scan.has_echo(i) ? leg_of(truth, i) : std::string();
+    if (leg.empty()) continue;
+    BeamsOnLeg& on = legs[leg];
+    ++on.in_scan;
+    if (i >= sample.beams.first && i <= sample.beams.last) ++on.in_candidate;
+  }
+  return legs;
+}
+
+// A beam or two of a leg that others hide make no leg; of one that is far away there are no more.
+bool is_hidden(const BeamsOnLeg& leg, double spacing_m) {
+  return leg.in_scan < kMinVisibleBeams && spacing_m < kThinLeg_m / (kMinVisibleBeams + 1);
+}
+
 LegAnswer by_truth(const LegSample& sample, const LaserScan& scan, const Truth& truth) {
   int num_echoes = 0;
   int num_on_posts = 0;
-  std::map<std::string, int> num_on_leg;
   for (int i = sample.beams.first; i <= sample.beams.last; ++i) {
     if (!scan.has_echo(i)) continue;
     ++num_echoes;
     const int object = truth.beams[i].object;
     if (object != kNoObject && might_be_leg(truth.objects[object])) ++num_on_posts;
-    const std::string leg = leg_of(truth, i);
-    if (!leg.empty()) ++num_on_leg[leg];
   }
+  const double spacing_m = sample.center_m.norm() * std::abs(scan.geometry.step_rad);
   int num_on_legs = 0;
-  std::pair<std::string, int> most{"", 0};
-  for (const auto& leg : num_on_leg) {
-    num_on_legs += leg.second;
-    if (leg.second > most.second) most = leg;
+  double most_covered = 0.0;
+  for (const auto& [id, leg] : beams_on_legs(sample, scan, truth)) {
+    if (is_hidden(leg, spacing_m)) continue;
+    const double covered = static_cast<double>(leg.in_candidate) / leg.in_scan;
+    if (leg.in_candidate >= kMinOwnShare * num_echoes && covered >= kMinCoveredShare) return LegAnswer::kYes;
+    num_on_legs += leg.in_candidate;
+    most_covered = std::max(most_covered, covered);
   }
-  int num_of_leg = 0;
-  for (int i = 0; i < scan.num_beams(); ++i) {
-    if (scan.has_echo(i) && leg_of(truth, i) == most.first) ++num_of_leg;
-  }
-  if (num_on_legs > 0 && most.second >= kMinOwnShare * num_echoes &&
-      most.second >= kMinCoveredShare * num_of_leg) {
-    return LegAnswer::kYes;
-  }
-  const bool is_none = num_on_legs < kMaxLegShare * num_echoes && num_on_posts < kMaxPostShare * num_echoes;
-  return is_none ? LegAnswer::kNo : LegAnswer::kUnknown;
+  const bool is_off_legs = num_on_legs < kMaxLegShare * num_echoes || most_covered < kMaxSliver;
+  return is_off_legs && num_on_posts < kMaxPostShare * num_echoes ? LegAnswer::kNo : LegAnswer::kUnknown;
 }
 
 struct TruthJudge {
@@ -127,6 +156,15 @@ struct TruthJudge {
 
   LegAnswer operator()(const LegSample& sample) const { return by_truth(sample, scan, truth); }
 };
+
+// In some worlds the robot turns, and the odd beams are measured one rotation later: what stands is sheared.
+void turn_robot(std::uint64_t seed, sim::World& world, sim::SensorOptions& sensor) {
+  sim::WorldDice dice(seed, "turning");
+  if (!dice.chance(kTurningShare)) return;
+  world.robot.turn_rad_per_s = dice.uniform(0.3, kMaxTurn_rad_per_s);
+  world.robot.drive = {sim::Turn{dice.chance(0.5) ? 100.0 : -100.0}};
+  sensor.interlace = std::abs(sensor.step_rad - radians(0.5)) < 1e-9;
+}
 
 void lose_echoes(std::uint64_t seed, LaserScan& scan) {
   sim::WorldDice dice(seed, "lost echoes");
@@ -183,7 +221,9 @@ void sample_random_worlds(std::uint64_t first_seed, int num_worlds, const LegSam
     options.duration_s = 1.5 * kBetweenScans_s;
     options.seed = seed;
     const sim::WorldKind kind = seed % 3 == 0 ? sim::WorldKind::kCorridors : sim::WorldKind::kRooms;
-    sim::SimulatedLms laser(sim::random_world(kind, seed, kLaserHeight_m), options);
+    sim::World world = sim::random_world(kind, seed, kLaserHeight_m);
+    turn_robot(seed, world, options.lms);
+    sim::SimulatedLms laser(std::move(world), options);
     while (laser.next(scan, RangeSensor::Seconds(0.0))) {
       lose_echoes(seed, scan);
       const int number = static_cast<int>(2 * seed + scan.index % 2);

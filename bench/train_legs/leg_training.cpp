@@ -15,7 +15,7 @@ namespace {
 
 // A recorded candidate counts as much as so many simulated ones: few scans stand for all that is real. Less
 // loses labelled legs, more loses simulated ones; `./dev results` shows both.
-constexpr double kRecordedWeight = 20.0;
+constexpr double kRecordedWeight = 30.0;
 constexpr std::uint64_t kUnseenSeed = 1000001;
 constexpr std::uint64_t kRandomSeed = 777000001;  // not those that scenarios and results ask for
 constexpr std::uint64_t kUnseenRandomSeed = 778000001;

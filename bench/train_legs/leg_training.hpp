@@ -20,8 +20,8 @@ struct LegCorpus {
   std::vector<LegSample> unseen;  ///< simulated too; says what may be given up early
 };
 
-inline constexpr int kNumTrainingWorlds = 3000;
-inline constexpr int kNumRandomWorlds = 1200;
+inline constexpr int kNumTrainingWorlds = 6000;
+inline constexpr int kNumRandomWorlds = 6000;
 inline constexpr int kNumUnseenWorlds = 400;
 inline constexpr int kNumUnseenRandomWorlds = 160;
 

@@ -224,7 +224,7 @@ class LegWorldBuilder {
   }
 
   void put_person() {
-    const double radius_m = 0.045 * std::pow(0.10 / 0.045, dice_.uniform(0.0, 1.0));
+    const double radius_m = 0.035 * std::pow(0.105 / 0.035, dice_.uniform(0.0, 1.0));
     const bool touching = dice_.chance(0.25);
     const double apart_m = touching ? 2.0 * radius_m + dice_.uniform(0.0, 0.03)
                                     : 2.0 * radius_m + 0.02 + 0.45 * std::pow(dice_.uniform(0.0, 1.0), 1.5);

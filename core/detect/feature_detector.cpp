@@ -30,11 +30,21 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
   const bool by_rules = options_.leg.scorer == LegScorer::kRules;
   if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
-  if (!is_paper) detect_surfaces(scan);
-  if (options_.leg.enabled && !by_rules) {
-    forest_leg_detector_.detect(scan, *leg_forest_, options_.leg, features_);
-  }
+  if (!is_paper) detect_surfaces(scan, options_, features_);
+  if (options_.leg.enabled && !by_rules) detect_legs_by_forest(scan);
+  if (options_.line.method == LineMethod::kOff) features_.lines.clear();
+  if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
   return features_;
+}
+
+// The forest asks which circles there are, and knows those of the robust pipeline.
+void FeatureDetector::detect_legs_by_forest(const LaserScan& scan) {
+  const bool is_paper = options_.pipeline == Pipeline::kPaper;
+  if (is_paper) {
+    surfaces_.clear();
+    detect_surfaces(scan, robust_options(), surfaces_);
+  }
+  forest_leg_detector_.detect(scan, is_paper ? surfaces_ : features_, *leg_forest_, options_.leg, features_);
 }
 
 void FeatureDetector::detect_in_segments(const LaserScan& scan) {
@@ -48,14 +58,13 @@ void FeatureDetector::detect_in_segments(const LaserScan& scan) {
   }
 }
 
-void FeatureDetector::detect_surfaces(const LaserScan& scan) {
-  echo_reader_.read(scan, options_.surface, echoes_);
-  surface_parser_.parse(echoes_, scan, options_, features_);
-  if (options_.line.method == LineMethod::kOff) features_.lines.clear();
-  if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
+void FeatureDetector::detect_surfaces(const LaserScan& scan, const DetectorOptions& options,
+                                      Features& features) {
+  echo_reader_.read(scan, options.surface, echoes_);
+  surface_parser_.parse(echoes_, scan, options, features);
   const auto rising = [](const auto& a, const auto& b) { return a.beams.first < b.beams.first; };
-  std::sort(features_.lines.begin(), features_.lines.end(), rising);
-  std::sort(features_.circles.begin(), features_.circles.end(), rising);
+  std::sort(features.lines.begin(), features.lines.end(), rising);
+  std::sort(features.circles.begin(), features.circles.end(), rising);
 }
 
 void FeatureDetector::detect_in_segment(const Segment& segment) {

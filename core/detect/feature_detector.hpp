@@ -38,7 +38,8 @@ class FeatureDetector {
 
  private:
   void detect_in_segments(const LaserScan& scan);
-  void detect_surfaces(const LaserScan& scan);
+  void detect_surfaces(const LaserScan& scan, const DetectorOptions& options, Features& features);
+  void detect_legs_by_forest(const LaserScan& scan);
   void detect_in_segment(const Segment& segment);
   void detect_arcs_beside_lines(const Segment& segment, int first_line);
 
@@ -53,6 +54,7 @@ class FeatureDetector {
   Points points_;
   std::vector<Segment> segments_;
   Features features_;
+  Features surfaces_;  ///< of the robust pipeline, where the other one is asked for
 };
 
 }  // namespace scanbed

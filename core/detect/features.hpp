@@ -46,6 +46,8 @@ struct Leg {
 struct Features {
   std::vector<Line> lines;
   std::vector<Circle> circles;
+  /// Of too few echoes to be reported, but legs are told by them too.
+  std::vector<Circle> doubtful_circles;
   std::vector<Leg> legs;
   /// Too unlikely to be reported, but if tracking finds them again and again, somebody is there.
   std::vector<Leg> doubtful_legs;
@@ -53,6 +55,7 @@ struct Features {
   void clear() {
     lines.clear();
     circles.clear();
+    doubtful_circles.clear();
     legs.clear();
     doubtful_legs.clear();
   }

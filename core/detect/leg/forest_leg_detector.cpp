@@ -8,11 +8,11 @@
 
 namespace scanbed {
 
-void ForestLegDetector::detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options,
-                               Features& features) {
+void ForestLegDetector::detect(const LaserScan& scan, const Features& surfaces, const LegForest& forest,
+                               const LegOptions& options, Features& features) {
   beam_reader_.read(scan, beams_);
   finder_.find(beams_, candidates_);
-  feature_reader_.read(beams_, candidates_, table_);
+  feature_reader_.read(beams_, candidates_, surfaces, table_);
   scorer_.score(forest, table_, feature_reader_.places(), sums_);
   found_.clear();
   const double least_score = std::min(options.min_score, options.min_doubtful_score);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/detect/detector_options.hpp"
@@ -18,7 +19,10 @@ class ForestLegDetector {
  public:
   /// Appends the legs, and those that are doubtful, in rising order of their first beam. A leg's middle is
   /// the centroid of its echoes; its score the calibrated probability that it is one.
-  void detect(const LaserScan& scan, const LegForest& forest, const LegOptions& options, Features& features);
+  ///
+  /// @param surfaces  circles of this scan, as the robust pipeline finds them.
+  void detect(const LaserScan& scan, const Features& surfaces, const LegForest& forest,
+              const LegOptions& options, Features& features);
 
  private:
   LegBeamReader beam_reader_;

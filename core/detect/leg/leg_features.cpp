@@ -18,6 +18,8 @@ constexpr float kBesideReach_m = 0.5F;
 constexpr double kMaxRadius_m = 0.5;
 constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape too
 constexpr float kMaxRunWidth_m = 5.0F;
+constexpr float kMaxArcRadius_m = 1.0F;
+constexpr float kMaxArcShare = 4.0F;
 
 float& at(const LegFeatureColumn& values, LegFeature feature) {
   return values.at(feature);
@@ -285,8 +287,21 @@ void LegFeatureReader::read_beside(int candidate, Values values) const {
   at(values, LegFeature::kNearestBehind) = beside.behind_m;
 }
 
-void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table) {
+void LegFeatureReader::read_arc(const LegBeams& beams, const EchoRun& run, Values values) const {
+  // With an even number of echoes the middle lies between two.
+  const LegArc* before = arcs_.at(beams.beam[(run.first + run.last) / 2]);
+  const LegArc* after = arcs_.at(beams.beam[(run.first + run.last + 1) / 2]);
+  const LegArc none{.num_echoes = run.size()};
+  const LegArc& own = before != nullptr && before == after ? *before : none;
+  const float share = static_cast<float>(run.size()) / static_cast<float>(own.num_echoes);
+  at(values, LegFeature::kArcRadius) = std::min(own.radius_m, kMaxArcRadius_m);
+  at(values, LegFeature::kArcShare) = std::min(share, kMaxArcShare);
+}
+
+void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidates, const Features& surfaces,
+                            LegFeatureTable& table) {
   mark_surroundings(beams, candidates.segmentations[1]);
+  arcs_.mark(beams, surfaces);
   const int num_candidates = static_cast<int>(candidates.runs.size());
   table.resize(num_candidates);
   places_.resize(num_candidates);
@@ -297,6 +312,7 @@ void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidat
     const Values values = table.column(c);
     read_near(c, values);
     read_beside(c, values);
+    read_arc(beams, candidates.runs[c], values);
     read_jumps(beams, candidates.runs[c], values);
     read_widths(candidates, candidates.runs[c], values);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/detect/features.hpp"
+#include "core/detect/leg/leg_arcs.hpp"
 #include "core/detect/leg/leg_beams.hpp"
 #include "core/detect/leg/leg_candidates.hpp"
 #include "core/detect/leg/leg_place.hpp"
@@ -52,6 +53,8 @@ enum class LegFeature {
   kHidden,          ///< share of the beams beside that end 0.15 m before
   kNearestBeside,   ///< least difference of range to a beam beside, at most 2
   kNearestBehind,   ///< to one that sees no more than 0.1 m less far
+  kArcRadius,       ///< of the circle on which its middle lies, at most 1; 0 where on none
+  kArcShare,        ///< its points over the echoes on that circle, at most 4; 1 without
   kPartner35,       ///< greatest sum of a candidate beside it within 0.35 m (leg_partners.hpp)
   kPartner80,       ///< within 0.8 m
   kRival,           ///< of one that shares beams with it
@@ -113,7 +116,9 @@ class LegFeatureReader {
       : instructions_(instructions) {}
 
   /// Reads all but what the candidates say of each other (leg_partners.hpp).
-  void read(const LegBeams& beams, const LegCandidates& candidates, LegFeatureTable& table);
+  /// @param surfaces  what was found in the scan: candidates ask for its circles.
+  void read(const LegBeams& beams, const LegCandidates& candidates, const Features& surfaces,
+            LegFeatureTable& table);
   /// Of the candidates read last.
   const std::vector<LegPlace>& places() const { return places_; }
 
@@ -130,11 +135,13 @@ class LegFeatureReader {
   void find_extents(const LegBeams& beams);
   void read_near(int candidate, Values values) const;
   void read_beside(int candidate, Values values) const;
+  void read_arc(const LegBeams& beams, const EchoRun& run, Values values) const;
   void read_small_neighbours(LegFeatureTable& table) const;
 
   InstructionSet instructions_;
   LegSurroundings around_;
   std::vector<SmallRun> small_runs_;
+  LegArcs arcs_;
   // Of each candidate.
   std::vector<LegPlace> places_;
   std::vector<Extent> extents_;

@@ -34,8 +34,9 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
   }
   join_across_occluders(surfaced);
   for (const Arc& arc : arcs_) {
-    const bool is_circle = arc.gain > arc.doubt && arc.num_echoes() >= options.circle.min_points;
-    if (is_circle) report_arc(surfaced, arc, features);
+    if (arc.gain <= arc.doubt) continue;
+    const bool has_enough = arc.num_echoes() >= options.circle.min_points;
+    report_arc(surfaced, arc, has_enough ? features.circles : features.doubtful_circles);
   }
   wall_lines_.begin(echoes, sums_, options);
   wall_lines_.append(pieces_, features.lines);
@@ -125,13 +126,13 @@ void SurfaceParser::release(Explained& surface) {
   for (int i = 0; i < surface.num_arcs; ++i) arcs_[surface.first_arc + i].doubt = kNeverSure;
 }
 
-void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, Features& features) const {
+void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, std::vector<Circle>& circles) const {
   Circle circle;
   circle.beams = {scan.echoes.beam[arc.parts[0].first], scan.echoes.beam[arc.last_part().last]};
   circle.center_m = arc.fit.cylinder.center_m;
   circle.radius_m = arc.fit.cylinder.radius_m;
   circle.score = 1.0 - std::exp(-0.1 * (arc.gain - arc.doubt));
-  features.circles.push_back(circle);
+  circles.push_back(circle);
 }
 
 }  // namespace scanbed

@@ -51,7 +51,7 @@ class SurfaceParser {
   bool join(Explained& before, Explained& after);
   void release(Explained& surface);
   std::span<LinePiece> pieces_of(const Explained& surface);
-  void report_arc(const SurfacedScan& scan, const Arc& arc, Features& features) const;
+  void report_arc(const SurfacedScan& scan, const Arc& arc, std::vector<Circle>& circles) const;
 
   const DetectorOptions* options_ = nullptr;
   SurfaceSplitter splitter_;

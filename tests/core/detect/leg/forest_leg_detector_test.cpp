@@ -16,10 +16,20 @@ namespace {
 using Eigen::Vector2d;
 using testing::IdealScene;
 
-std::vector<Leg> legs_in(const LaserScan& scan) {
+Features surfaces_in(const LaserScan& scan) {
+  DetectorOptions options = robust_options();
+  options.leg.enabled = false;
+  return FeatureDetector(options).detect(scan);
+}
+
+Features detect_legs(const LaserScan& scan, const LegOptions& options) {
   Features features;
-  ForestLegDetector().detect(scan, trained_leg_forest(), robust_options().leg, features);
-  return features.legs;
+  ForestLegDetector().detect(scan, surfaces_in(scan), trained_leg_forest(), options, features);
+  return features;
+}
+
+std::vector<Leg> legs_in(const LaserScan& scan) {
+  return detect_legs(scan, robust_options().leg).legs;
 }
 
 LaserScan scan_of(std::vector<double> range_m) {
@@ -64,16 +74,14 @@ TEST(ForestLegDetectorTest, LegsComeInTheOrderOfTheirBeamsAndApart) {
 
 TEST(ForestLegDetectorTest, TheLeastScoreIsWhatTheOptionsSay) {
   LegOptions options = robust_options().leg;
-  Features all;
   options.min_score = options.min_doubtful_score = 0.01;
-  ForestLegDetector().detect(people(), trained_leg_forest(), options, all);
+  const Features all = detect_legs(people(), options);
   ASSERT_FALSE(all.legs.empty());
   EXPECT_TRUE(all.doubtful_legs.empty());
   for (const Leg& leg : all.legs) EXPECT_LE(leg.score, 1.0);
   for (const Leg& bar : all.legs) {
     options.min_score = bar.score;
-    Features parted;
-    ForestLegDetector().detect(people(), trained_leg_forest(), options, parted);
+    const Features parted = detect_legs(people(), options);
     EXPECT_EQ(parted.legs.size() + parted.doubtful_legs.size(), all.legs.size());
     for (const Leg& leg : parted.legs) EXPECT_GE(leg.score, bar.score);
     for (const Leg& leg : parted.doubtful_legs) EXPECT_LT(leg.score, bar.score);
@@ -154,6 +162,26 @@ TEST(ForestLegDetectorTest, TheScorerIsChosenByTheOptions) {
   rules.set_options(options);
   EXPECT_TRUE(rules.detect(scan).legs.empty());
   EXPECT_EQ(by_forest, 4u);
+}
+
+// The forest asks which circles there are, whether or not the user does.
+TEST(ForestLegDetectorTest, LegsAreTheSameWhateverElseIsAskedFor) {
+  const LaserScan scan = people();
+  DetectorOptions options = robust_options();
+  const std::vector<Leg> expected = FeatureDetector(options).detect(scan).legs;
+  ASSERT_FALSE(expected.empty());
+  options.circle.method = CircleMethod::kOff;
+  options.line.method = LineMethod::kOff;
+  DetectorOptions of_paper = paper_options();
+  of_paper.leg = robust_options().leg;
+  for (const DetectorOptions& other : {options, of_paper}) {
+    FeatureDetector detector(other);
+    const Features& features = detector.detect(scan);
+    ASSERT_EQ(features.legs.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(features.legs[i].score, expected[i].score);
+    const bool is_paper = other.pipeline == Pipeline::kPaper;
+    EXPECT_EQ(features.circles.empty() && features.lines.empty(), !is_paper);
+  }
 }
 
 }  // namespace

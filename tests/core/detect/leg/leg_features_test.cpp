@@ -22,10 +22,10 @@ struct Read {
   LegCandidates candidates;
   LegFeatureTable table;
 
-  explicit Read(const LaserScan& scan) {
+  explicit Read(const LaserScan& scan, const Features& surfaces = {}) {
     LegBeamReader().read(scan, beams);
     LegCandidateFinder().find(beams, candidates);
-    LegFeatureReader().read(beams, candidates, table);
+    LegFeatureReader().read(beams, candidates, surfaces, table);
   }
   double value(LegFeature feature, std::size_t candidate) const {
     return static_cast<double>(table.at(static_cast<int>(feature), static_cast<int>(candidate)));
@@ -222,6 +222,46 @@ TEST(LegFeaturesTest, ACircleAloneHasItsRadiusAndTheInscribedAngleOfItsChord) {
               1e-3);
 }
 
+// A column whose middle something thin hides: its beams lie on both sides of that.
+TEST(LegFeaturesTest, EachCandidateKnowsTheCircleThatItsMiddleLiesOn) {
+  IdealScene scene;
+  scene.cylinder({3.0, 0.0}, 0.25);
+  scene.cylinder({1.5, 0.0}, 0.04);
+  scene.cylinder({2.0, 1.5}, 0.06);
+  const LaserScan scan = scene.scan();
+  const auto beams_nearer = [&](double from_m, double to_m) {
+    BeamSpan span{scan.num_beams(), -1};
+    int count = 0;
+    for (int i = 0; i < scan.num_beams(); ++i) {
+      if (scan.range_m[i] < from_m || scan.range_m[i] > to_m) continue;
+      span = {std::min(span.first, i), i};
+      ++count;
+    }
+    return std::pair(span, count);
+  };
+  const auto [column_beams, column_echoes] = beams_nearer(2.7, 3.1);
+  const auto [post_beams, post_echoes] = beams_nearer(1.4, 1.6);
+  const Circle column{.beams = column_beams, .center_m = {3.0, 0.0}, .radius_m = 0.25};
+  const Circle post{.beams = post_beams, .center_m = {1.5, 0.0}, .radius_m = 0.04};
+  const Features column_first{.circles = {column}, .doubtful_circles = {post}};
+  const Features post_first{.circles = {post}, .doubtful_circles = {column}};
+  for (const Features& surfaces : {column_first, post_first}) {
+    const Read read(scan, surfaces);
+    int num_on_column = 0;
+    for (std::size_t c = 0; c < read.candidates.runs.size(); ++c) {
+      const EchoRun& run = read.candidates.runs[c];
+      const Vector2d middle_m = read.point_m((run.first + run.last) / 2);
+      const bool on_column = std::abs(middle_m.y()) < 0.5 && middle_m.x() > 2.0;
+      const bool on_post = std::abs(middle_m.y()) < 0.5 && middle_m.x() < 2.0;
+      num_on_column += on_column ? 1 : 0;
+      const double echoes = on_column ? column_echoes : on_post ? post_echoes : run.size();
+      EXPECT_NEAR(read.value(LegFeature::kArcRadius, c), on_column ? 0.25 : on_post ? 0.04 : 0.0, 1e-6);
+      EXPECT_NEAR(read.value(LegFeature::kArcShare, c), run.size() / echoes, 1e-6);
+    }
+    EXPECT_GE(num_on_column, 2);
+  }
+}
+
 TEST(LegFeaturesTest, AHollowHasItsCentreInFront) {
   LaserScan scan;
   scan.range_m.assign(scan.geometry.num_beams, kNoEcho);
@@ -264,7 +304,7 @@ TEST(LegFeaturesTest, EveryInstructionSetGivesTheSameBits) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Read read(furnished_scan(seed));
     LegFeatureTable plain;
-    LegFeatureReader(InstructionSet::kPlain).read(read.beams, read.candidates, plain);
+    LegFeatureReader(InstructionSet::kPlain).read(read.beams, read.candidates, {}, plain);
     for (int f = 0; f < kNumLegFeatures; ++f) {
       for (int c = 0; c < plain.num_candidates(); ++c) EXPECT_EQ(plain.at(f, c), read.table.at(f, c));
     }

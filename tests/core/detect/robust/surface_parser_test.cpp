@@ -133,6 +133,23 @@ TEST(SurfaceParserTest, AColumnThatAPostCutsInTwoIsOneColumn) {
   EXPECT_GE(num_once, 48);
 }
 
+TEST(SurfaceParserTest, ACylinderOfTooFewEchoesIsKnownButNotReported) {
+  IdealScene scene;
+  scene.cylinder({2.3, 0.0}, 0.05);
+  const LaserScan scan = scene.scan();
+  DetectorOptions options = robust_options();
+  const Features few = FeatureDetector(options).detect(scan);
+  EXPECT_TRUE(few.circles.empty());
+  ASSERT_EQ(few.doubtful_circles.size(), 1u);
+  const Circle& circle = few.doubtful_circles[0];
+  EXPECT_EQ(circle.beams.last - circle.beams.first + 1, 5);
+  EXPECT_NEAR((circle.center_m - Eigen::Vector2d(2.3, 0.0)).norm(), 0.0, 0.01);
+  options.circle.min_points = 5;
+  const Features enough = FeatureDetector(options).detect(scan);
+  EXPECT_EQ(enough.circles.size(), 1u);
+  EXPECT_TRUE(enough.doubtful_circles.empty());
+}
+
 TEST(SurfaceParserTest, AWallBehindAPostIsNoColumn) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     IdealScene scene;
