@@ -13,14 +13,15 @@
 
 namespace scanbed {
 
-/// Legs by a boosted forest: candidates from three segmentations, scored by their shape and surroundings,
-/// the best of those that overlap or lie within 0.10 m of each other. Keeps its buffers.
+/// Legs by a boosted forest: candidates from three segmentations, scored by their shape, the circle
+/// they lie on and their surroundings, the best of those that overlap or lie within 0.10 m of each other.
+/// Keeps its buffers.
 class ForestLegDetector {
  public:
   /// Appends the legs, and those that are doubtful, in rising order of their first beam. A leg's middle is
   /// the centroid of its echoes; its score the calibrated probability that it is one.
   ///
-  /// @param surfaces  circles of this scan, as the robust pipeline finds them.
+  /// @param surfaces  circles of this scan, as the robust pipeline finds them; may be `features` itself.
   void detect(const LaserScan& scan, const Features& surfaces, const LegForest& forest,
               const LegOptions& options, Features& features);
 
