@@ -13,6 +13,7 @@
 #include "core/detect/feature_detector.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/score/match_options.hpp"
+#include "core/score/visibility.hpp"
 #include "sim/generate/random_world.hpp"
 #include "sim/generate/world_dice.hpp"
 #include "sim/sensor/simulated_lms.hpp"
@@ -29,8 +30,7 @@ constexpr double kLabelledRange_m = 4.9;
 constexpr double kMinOwnShare = 0.75;
 constexpr double kMinCoveredShare = 0.65;
 constexpr double kMaxLegShare = 0.4;
-constexpr double kMaxSliver = 0.3;  // of a leg's beams: no leg by itself
-constexpr int kMinVisibleBeams = 3;
+constexpr double kMaxSliver = 0.3;   // of a leg's beams: no leg by itself
 constexpr double kThinLeg_m = 0.10;  // across
 constexpr double kMaxPostShare = 0.3;
 constexpr double kMaxLostShare = 0.03;
@@ -122,7 +122,7 @@ std::map<std::string, BeamsOnLeg> beams_on_legs(const LegSample& sample, const L
   return legs;
 }
 
-// A beam or two of a leg that others hide make no leg; of one that is far away there are no more.
+// As the scorer has it, but for legs that are so far away that there are no more beams.
 bool is_hidden(const BeamsOnLeg& leg, double spacing_m) {
   return leg.in_scan < kMinVisibleBeams && spacing_m < kThinLeg_m / (kMinVisibleBeams + 1);
 }

@@ -8,7 +8,6 @@
 namespace scanbed {
 namespace {
 
-constexpr int kMinBeams = 3;
 constexpr int kMinCircleBeams = 6;
 constexpr int kMinLegBeams = 4;
 constexpr double kMinFrontRatio = 0.9;
@@ -20,7 +19,7 @@ bool round_object_is_resolvable(const ObjectTruth& object, int num_beams, const 
 }
 
 Visibility visibility_of(const ObjectTruth& object, int num_beams, const ScanGeometry& geometry) {
-  if (num_beams < kMinBeams) return Visibility::kHidden;
+  if (num_beams < kMinVisibleBeams) return Visibility::kHidden;
   const bool is_round = object.primitive == Primitive::kCircle || object.primitive == Primitive::kLeg;
   return is_round && round_object_is_resolvable(object, num_beams, geometry) ? Visibility::kResolvable
                                                                              : Visibility::kMarginal;

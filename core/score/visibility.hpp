@@ -14,12 +14,15 @@ namespace scanbed {
 /// @param p_SC  its centre; @param radius_m  > 0. A sensor inside gets every beam of a full turn.
 int num_unobstructed_beams(const Eigen::Vector2d& p_SC, double radius_m, const ScanGeometry& geometry);
 
+/// An object that fewer beams met is hidden.
+inline constexpr int kMinVisibleBeams = 3;
+
 /// Sets num_clean_beams and visibility of every object from the beams' labels. Beams without an echo show
 /// nothing.
 ///
-/// Hidden: fewer than 3 beams. Resolvable: a circle with at least 6 clean beams or a leg with at least 4,
-/// each with at least 90 % of its unobstructed beams; a wall with a piece of at least 6 beams and 0.3 m. Else
-/// marginal.
+/// Hidden: fewer than kMinVisibleBeams. Resolvable: a circle with at least 6 clean beams or a leg with at
+/// least 4, each with at least 90 % of its unobstructed beams; a wall with a piece of at least 6 beams and
+/// 0.3 m. Else marginal.
 ///
 /// @pre  truth.beams has as many entries as scan has beams.
 void classify_visibility(Truth& truth, const LaserScan& scan);

@@ -2,6 +2,7 @@
 #include "core/detect/leg/leg_features.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/geometry/angles.hpp"
@@ -20,10 +21,6 @@ constexpr float kWidthFloor_m = 0.02F;  // two echoes at one place have a shape 
 constexpr float kMaxRunWidth_m = 5.0F;
 constexpr float kMaxArcRadius_m = 1.0F;
 constexpr float kMaxArcShare = 4.0F;
-
-float& at(const LegFeatureColumn& values, LegFeature feature) {
-  return values.at(feature);
-}
 
 // Moments of a run about its centroid, per point.
 struct Moments {
@@ -146,8 +143,8 @@ double greatest_half_view_rad(float reach_m, float distance_m) {
 void read_jumps(const LegBeams& beams, const EchoRun& run, const LegFeatureColumn& values) {
   const float left_m = jump_m(beams, beams.beam[run.first] - 1, beams.echo_range_m[run.first]);
   const float right_m = jump_m(beams, beams.beam[run.last] + 1, beams.echo_range_m[run.last]);
-  at(values, LegFeature::kLeastJump) = std::min(left_m, right_m);
-  at(values, LegFeature::kLargestJump) = std::max(left_m, right_m);
+  values.at(LegFeature::kLeastJump) = std::min(left_m, right_m);
+  values.at(LegFeature::kLargestJump) = std::max(left_m, right_m);
 }
 
 void read_widths(const LegCandidates& candidates, const EchoRun& run, const LegFeatureColumn& values) {
@@ -155,7 +152,7 @@ void read_widths(const LegCandidates& candidates, const EchoRun& run, const LegF
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
     const LegSegmentation& segmentation = candidates.segmentations[i];
     const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
-    at(values, kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
+    values.at(kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
   }
 }
 
@@ -208,26 +205,26 @@ void LegFeatureReader::read_shape(const LegBeams& beams, const EchoRun& run, int
   const double dy = beams.echo_y_m[run.last] - beams.echo_y_m[run.first];
   const double chord_m = std::sqrt(dx * dx + dy * dy);
   const auto width_m = static_cast<float>(chord_m);
-  at(values, LegFeature::kNumPoints) = static_cast<float>(n);
-  at(values, LegFeature::kWidth) = width_m;
-  at(values, LegFeature::kFilled) = static_cast<float>(n) * spacing_m / kLegWidth_m;
-  at(values, LegFeature::kRange) = range_m;
+  values.at(LegFeature::kNumPoints) = static_cast<float>(n);
+  values.at(LegFeature::kWidth) = width_m;
+  values.at(LegFeature::kFilled) = static_cast<float>(n) * spacing_m / kLegWidth_m;
+  values.at(LegFeature::kRange) = range_m;
   const CircleShape circle = circle_of(m, n);
-  at(values, LegFeature::kCircleResidual) = circle.residual_m;
-  at(values, LegFeature::kCircleRadius) = circle.radius_m;
+  values.at(LegFeature::kCircleResidual) = circle.residual_m;
+  values.at(LegFeature::kCircleRadius) = circle.radius_m;
   // Two points lie on a line, as three do on a circle.
-  at(values, LegFeature::kLineResidual) = n > 2 ? line_residual_m(m) : 0.0F;
+  values.at(LegFeature::kLineResidual) = n > 2 ? line_residual_m(m) : 0.0F;
   // Distance of the centroid before the chord; the sensor is at the origin.
   const double side = dx * (m.y - beams.echo_y_m[run.first]) - dy * (m.x - beams.echo_x_m[run.first]);
   const double sensor_side = dy * beams.echo_x_m[run.first] - dx * beams.echo_y_m[run.first];
   const double bow_m = n > 2 && chord_m > 0.0 ? std::abs(side) / chord_m : 0.0;
-  at(values, LegFeature::kBow) =
+  values.at(LegFeature::kBow) =
       static_cast<float>(side * sensor_side >= 0.0 ? bow_m : -bow_m) / (width_m + kWidthFloor_m);
-  at(values, LegFeature::kInscribed) = mean_inscribed_cosine(beams, run);
+  values.at(LegFeature::kInscribed) = mean_inscribed_cosine(beams, run);
   const double ends_m = beams.echo_range_m[run.last] - beams.echo_range_m[run.first];
-  at(values, LegFeature::kTilt) = static_cast<float>(std::abs(ends_m)) / (width_m + kWidthFloor_m);
-  at(values, LegFeature::kRangeStd) = static_cast<float>(std::sqrt(m.range_var));
-  at(values, LegFeature::kStep) = static_cast<float>(std::sqrt(m.step2));
+  values.at(LegFeature::kTilt) = static_cast<float>(std::abs(ends_m)) / (width_m + kWidthFloor_m);
+  values.at(LegFeature::kRangeStd) = static_cast<float>(std::sqrt(m.range_var));
+  values.at(LegFeature::kStep) = static_cast<float>(std::sqrt(m.step2));
 }
 
 void LegFeatureReader::read_small_neighbours(LegFeatureTable& table) const {
@@ -264,12 +261,12 @@ void LegFeatureReader::read_near(int candidate, Values values) const {
   const Extent& extent = extents_[candidate];
   const NearEchoes near =
       count_near(instructions_, {around_, places_[candidate], extent.range_m}, extent.near);
-  at(values, LegFeature::kNear30) = static_cast<float>(near.num_within30) * extent.spacing_m;
-  at(values, LegFeature::kNear50) = static_cast<float>(near.num_within50) * extent.spacing_m;
-  at(values, LegFeature::kNear100) = static_cast<float>(near.num_within100) * extent.spacing_m;
-  at(values, LegFeature::kNearWall100) = static_cast<float>(near.num_wall100) * extent.spacing_m;
-  at(values, LegFeature::kNearest) = std::sqrt(near.nearest_m2);
-  at(values, LegFeature::kNearestWall) = std::sqrt(near.nearest_wall_m2);
+  values.at(LegFeature::kNear30) = static_cast<float>(near.num_within30) * extent.spacing_m;
+  values.at(LegFeature::kNear50) = static_cast<float>(near.num_within50) * extent.spacing_m;
+  values.at(LegFeature::kNear100) = static_cast<float>(near.num_within100) * extent.spacing_m;
+  values.at(LegFeature::kNearWall100) = static_cast<float>(near.num_wall100) * extent.spacing_m;
+  values.at(LegFeature::kNearest) = std::sqrt(near.nearest_m2);
+  values.at(LegFeature::kNearestWall) = std::sqrt(near.nearest_wall_m2);
 }
 
 void LegFeatureReader::read_beside(int candidate, Values values) const {
@@ -280,11 +277,11 @@ void LegFeatureReader::read_beside(int candidate, Values values) const {
   const int in_view = (own.first - all.first) + (all.last - own.last);
   const float each = in_view > 0 ? 1.0F / static_cast<float>(in_view) : 0.0F;
   const float unknown = in_view > 0 ? 0.0F : 0.5F;
-  at(values, LegFeature::kOpen25) = unknown + static_cast<float>(beside.num_open25) * each;
-  at(values, LegFeature::kOpen60) = unknown + static_cast<float>(beside.num_open60) * each;
-  at(values, LegFeature::kHidden) = static_cast<float>(beside.num_hidden) * each;
-  at(values, LegFeature::kNearestBeside) = beside.nearest_m;
-  at(values, LegFeature::kNearestBehind) = beside.behind_m;
+  values.at(LegFeature::kOpen25) = unknown + static_cast<float>(beside.num_open25) * each;
+  values.at(LegFeature::kOpen60) = unknown + static_cast<float>(beside.num_open60) * each;
+  values.at(LegFeature::kHidden) = static_cast<float>(beside.num_hidden) * each;
+  values.at(LegFeature::kNearestBeside) = beside.nearest_m;
+  values.at(LegFeature::kNearestBehind) = beside.behind_m;
 }
 
 void LegFeatureReader::read_arc(const LegBeams& beams, const EchoRun& run, Values values) const {
@@ -294,8 +291,8 @@ void LegFeatureReader::read_arc(const LegBeams& beams, const EchoRun& run, Value
   const LegArc none{.num_echoes = run.size()};
   const LegArc& own = before != nullptr && before == after ? *before : none;
   const float share = static_cast<float>(run.size()) / static_cast<float>(own.num_echoes);
-  at(values, LegFeature::kArcRadius) = std::min(own.radius_m, kMaxArcRadius_m);
-  at(values, LegFeature::kArcShare) = std::min(share, kMaxArcShare);
+  values.at(LegFeature::kArcRadius) = std::min(own.radius_m, kMaxArcRadius_m);
+  values.at(LegFeature::kArcShare) = std::min(share, kMaxArcShare);
 }
 
 void LegFeatureReader::read(const LegBeams& beams, const LegCandidates& candidates, const Features& surfaces,
