@@ -5,6 +5,8 @@
 #if defined(__x86_64__) && defined(__GNUC__)
 #define SCANBED_HAS_AVX2 1
 #define SCANBED_AVX2 __attribute__((target("avx2")))
+#else
+#define SCANBED_AVX2
 #endif
 
 namespace scanbed {

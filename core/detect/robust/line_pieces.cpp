@@ -93,7 +93,7 @@ void LineSplitter::cut_all() {
   first_cuts_.resize(num_parts);
   cuts_.resize(num_parts);
   for (int i = 0; i < num_parts; ++i) first_cuts_[i] = first_cut_of(cutting_[i]);
-  for (int i = 0; i < num_parts; ++i) cuts_[i] = sums_->best_cut(cutting_[i], first_cuts_[i]);
+  sums_->best_cuts(cutting_, first_cuts_, cuts_);
   num_to_cut_ = 0;
   for (int i = 0; i < num_parts; ++i) {
     const Stretch places = cutting_[i];

@@ -7,20 +7,59 @@
 namespace scanbed {
 namespace {
 
-/// Cuts of two lanes.
+/// Cuts, one in each lane.
+template <typename Lanes>
 struct LaneCuts {
-  Doubles place;
-  Doubles chi2;
-  Doubles chi2_before;
-
-  /// What is better in `other`, lane by lane.
-  void take(const LaneCuts& other) {
-    const auto is_better = other.chi2 < chi2;
-    place = is_better ? other.place : place;
-    chi2 = is_better ? other.chi2 : chi2;
-    chi2_before = is_better ? other.chi2_before : chi2_before;
-  }
+  Lanes place{}, chi2{}, chi2_before{};
 };
+
+/// Keeps what is better in `other`, lane by lane.
+template <typename Lanes>
+[[gnu::always_inline]] inline void take(LaneCuts<Lanes>& best, const LaneCuts<Lanes>& other) {
+  const auto is_better = other.chi2 < best.chi2;
+  best.place = is_better ? other.place : best.place;
+  best.chi2 = is_better ? other.chi2 : best.chi2;
+  best.chi2_before = is_better ? other.chi2_before : best.chi2_before;
+}
+
+// Pairs of neighbouring values, from the given places on.
+[[gnu::always_inline]] inline void load_pairs(const double* values, const int* first_places, Doubles& lanes) {
+  load(values + first_places[0], lanes);
+}
+
+[[gnu::always_inline]] inline void load_pairs(const double* values, const int* first_places, Quads& lanes) {
+  const Doubles low = lanes_at(values + first_places[0]);
+  const Doubles high = lanes_at(values + first_places[1]);
+  lanes = __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+
+// In which pair each lane is, by its first lane, and where in it.
+[[gnu::always_inline]] inline void number_pairs(Doubles& pair, Doubles& in_pair) {
+  pair = Doubles{0.0, 0.0};
+  in_pair = Doubles{0.0, 1.0};
+}
+
+[[gnu::always_inline]] inline void number_pairs(Quads& pair, Quads& in_pair) {
+  pair = Quads{0.0, 0.0, 2.0, 2.0};
+  in_pair = Quads{0.0, 1.0, 0.0, 1.0};
+}
+
+// Among cuts that are as good as each other the lowest of the first lanes of pairs, then of the second.
+[[gnu::always_inline]] inline void fold(const LaneCuts<Doubles>& cuts, LaneCuts<Doubles>& best) {
+  best = cuts;
+  take(best, {swapped(cuts.place), swapped(cuts.chi2), swapped(cuts.chi2_before)});
+}
+
+[[gnu::always_inline]] inline void fold(const LaneCuts<Quads>& cuts, LaneCuts<Doubles>& best) {
+  const auto low = [](const Quads& lanes) { return __builtin_shufflevector(lanes, lanes, 0, 1); };
+  const auto high = [](const Quads& lanes) { return __builtin_shufflevector(lanes, lanes, 2, 3); };
+  const Doubles place = low(cuts.place), other_place = high(cuts.place);
+  const Doubles chi2 = low(cuts.chi2), other_chi2 = high(cuts.chi2);
+  const auto is_better = (other_chi2 < chi2) | ((other_chi2 == chi2) & (other_place < place));
+  fold({is_better ? other_place : place, is_better ? other_chi2 : chi2,
+        is_better ? high(cuts.chi2_before) : low(cuts.chi2_before)},
+       best);
+}
 
 }  // namespace
 
@@ -52,32 +91,85 @@ void RayLineSums::build(const Echoes& echoes) {
   }
 }
 
-RayLineSums::Sums<Doubles> RayLineSums::before_two(int place) const {
-  return {lanes_at(&q_[place]),   lanes_at(&qx_[place]),  lanes_at(&qy_[place]),
-          lanes_at(&qxx_[place]), lanes_at(&qxy_[place]), lanes_at(&qyy_[place])};
+template <typename Lanes>
+[[gnu::always_inline]] inline RayLineSums::Sums<Lanes> RayLineSums::before_pairs(
+    const int* first_places) const {
+  Sums<Lanes> sums;
+  load_pairs(q_.data(), first_places, sums.q);
+  load_pairs(qx_.data(), first_places, sums.qx);
+  load_pairs(qy_.data(), first_places, sums.qy);
+  load_pairs(qxx_.data(), first_places, sums.qxx);
+  load_pairs(qxy_.data(), first_places, sums.qxy);
+  load_pairs(qyy_.data(), first_places, sums.qyy);
+  return sums;
+}
+
+template <typename Lanes>
+[[gnu::always_inline]] inline RayLineSums::Sums<Lanes> RayLineSums::before_in_all_lanes(int place) const {
+  // Less nothing is the same in all lanes.
+  return {q_[place] - Lanes{},   qx_[place] - Lanes{},  qy_[place] - Lanes{},
+          qxx_[place] - Lanes{}, qxy_[place] - Lanes{}, qyy_[place] - Lanes{}};
+}
+
+template <typename Lanes>
+[[gnu::always_inline]] inline void RayLineSums::find_best_cut(Stretch places, int first_cut,
+                                                              Cut& best) const {
+  constexpr int kNumPairs = sizeof(Lanes) / sizeof(Doubles);
+  const Sums<Lanes> first = before_in_all_lanes<Lanes>(places.first);
+  const Sums<Lanes> end = before_in_all_lanes<Lanes>(places.last + 1);
+  const double first_place = places.first;
+  const double last_place = places.last;
+  Lanes pair, in_pair, chi2_before, chi2_after;
+  number_pairs(pair, in_pair);
+  pair += static_cast<double>(first_cut);
+  LaneCuts<Lanes> cuts;
+  cuts.place += first_place;
+  cuts.chi2 += std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kNumCuts; i += 2 * kNumPairs) {
+    int behind[kNumPairs];
+    for (int k = 0; k < kNumPairs; ++k) behind[k] = std::min(first_cut + i + 2 * k, places.last - 2) + 1;
+    const Sums<Lanes> middle = before_pairs<Lanes>(behind);
+    const Lanes place = (pair < last_place - 2.0 ? pair : last_place - 2.0 - Lanes{}) + in_pair;
+    pair += 2.0 * kNumPairs;
+    find_chi2(difference(middle, first), chi2_before);
+    find_chi2(difference(end, middle), chi2_after);
+    // A line explains a single echo wholly; the quotient says nothing there.
+    chi2_before = place > first_place ? chi2_before : Lanes{};
+    chi2_after = place < last_place - 1.0 ? chi2_after : Lanes{};
+    take(cuts, {place, chi2_before + chi2_after, chi2_before});
+  }
+  LaneCuts<Doubles> folded;
+  fold(cuts, folded);
+  best = {static_cast<int>(folded.place[0]), folded.chi2_before[0], folded.chi2[0] - folded.chi2_before[0]};
+}
+
+template <typename Lanes>
+[[gnu::always_inline]] inline void RayLineSums::find_best_cuts(std::span<const Stretch> parts,
+                                                               const int* first_cuts, Cut* best) const {
+  for (std::size_t i = 0; i < parts.size(); ++i) find_best_cut<Lanes>(parts[i], first_cuts[i], best[i]);
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 void RayLineSums::find_best_cuts_avx2(std::span<const Stretch> parts, const int* first_cuts,
+                                                   Cut* best) const {
+  find_best_cuts<Quads>(parts, first_cuts, best);
+}
+#endif
+
+void RayLineSums::best_cuts(std::span<const Stretch> parts, std::span<const int> first_cuts,
+                            std::span<Cut> best) const {
+#if defined(SCANBED_HAS_AVX2)
+  if (instructions_ == InstructionSet::kAvx2) {
+    return find_best_cuts_avx2(parts, first_cuts.data(), best.data());
+  }
+#endif
+  find_best_cuts<Doubles>(parts, first_cuts.data(), best.data());
 }
 
 RayLineSums::Cut RayLineSums::best_cut(Stretch places, int first_cut) const {
-  const auto twice = [](const Sums<double>& s) {
-    return Sums<Doubles>{both_lanes(s.q),   both_lanes(s.qx),  both_lanes(s.qy),
-                         both_lanes(s.qxx), both_lanes(s.qxy), both_lanes(s.qyy)};
-  };
-  const Sums<Doubles> first = twice(before(places.first));
-  const Sums<Doubles> end = twice(before(places.last + 1));
-  const Doubles only_first = both_lanes(places.first);
-  const Doubles all_but_last = both_lanes(places.last - 1);
-  LaneCuts best{both_lanes(places.first), both_lanes(std::numeric_limits<double>::infinity()), Doubles{}};
-  for (int i = 0; i < kNumCuts; i += 2) {
-    const int cut = std::min(first_cut + i, places.last - 2);
-    const Sums<Doubles> middle = before_two(cut + 1);
-    const Doubles place = Doubles{0.0, 1.0} + both_lanes(cut);
-    // A line explains a single echo wholly; the quotient says nothing there.
-    const Doubles before = place > only_first ? chi2(difference(middle, first)) : Doubles{};
-    const Doubles after = place < all_but_last ? chi2(difference(end, middle)) : Doubles{};
-    best.take({place, before + after, before});
-  }
-  best.take({swapped(best.place), swapped(best.chi2), swapped(best.chi2_before)});
-  return {static_cast<int>(best.place[0]), best.chi2_before[0], best.chi2[0] - best.chi2_before[0]};
+  Cut best;
+  best_cuts({&places, 1}, {&first_cut, 1}, {&best, 1});
+  return best;
 }
 
 RayLine RayLineSums::solve(const Sums<double>& s) {

@@ -4,11 +4,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
 #include "core/detect/robust/surface_runs.hpp"
 #include "core/simd/double_lanes.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -25,6 +27,9 @@ struct RayLine {
 /// q (a x + b y - 1)^2 with q = (r / s)^2.
 class RayLineSums {
  public:
+  explicit RayLineSums(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   void build(const Echoes& echoes);
 
   /// Weighted least squares over a stretch of at least two echoes.
@@ -48,6 +53,8 @@ class RayLineSums {
   /// The best of kNumCuts neighbouring cuts from the first on; of fewer where the stretch ends.
   /// @pre  places.size() >= 3, places.first <= first_cut < places.last.
   Cut best_cut(Stretch places, int first_cut) const;
+  /// The same of many stretches.
+  void best_cuts(std::span<const Stretch> parts, std::span<const int> first_cuts, std::span<Cut> best) const;
 
  private:
   template <typename T>
@@ -57,19 +64,30 @@ class RayLineSums {
   template <typename T>
   static Sums<T> difference(const Sums<T>& a, const Sums<T>& b);
   template <typename T>
-  static T chi2(const Sums<T>& sums);
+  static void find_chi2(const Sums<T>& sums, T& chi2);
   Sums<double> before(int place) const;
-  Sums<Doubles> before_two(int place) const;
   Sums<double> between(Stretch places) const;
+  template <typename Lanes>
+  Sums<Lanes> before_pairs(const int* first_places) const;
+  template <typename Lanes>
+  Sums<Lanes> before_in_all_lanes(int place) const;
+  template <typename Lanes>
+  void find_best_cut(Stretch places, int first_cut, Cut& best) const;
+  template <typename Lanes>
+  void find_best_cuts(std::span<const Stretch> parts, const int* first_cuts, Cut* best) const;
+  SCANBED_AVX2 void find_best_cuts_avx2(std::span<const Stretch> parts, const int* first_cuts,
+                                        Cut* best) const;
   static RayLine solve(const Sums<double>& sums);
 
+  InstructionSet instructions_;
   std::vector<double> q_, qx_, qy_, qxx_, qxy_, qyy_;  ///< over the echoes before each, and over all
 };
 
 // Here for the inner loops that cut surfaces into lines.
 
 template <typename T>
-inline RayLineSums::Sums<T> RayLineSums::difference(const Sums<T>& a, const Sums<T>& b) {
+[[gnu::always_inline]] inline RayLineSums::Sums<T> RayLineSums::difference(const Sums<T>& a,
+                                                                           const Sums<T>& b) {
   return {a.q - b.q, a.qx - b.qx, a.qy - b.qy, a.qxx - b.qxx, a.qxy - b.qxy, a.qyy - b.qyy};
 }
 
@@ -82,16 +100,19 @@ inline RayLineSums::Sums<double> RayLineSums::between(Stretch places) const {
 }
 
 template <typename T>
-inline T RayLineSums::chi2(const Sums<T>& s) {
+[[gnu::always_inline]] inline void RayLineSums::find_chi2(const Sums<T>& s, T& chi2) {
   const T determinant = s.qxx * s.qyy - s.qxy * s.qxy;
   const T explained = (s.qyy * s.qx - s.qxy * s.qy) * s.qx + (s.qxx * s.qy - s.qxy * s.qx) * s.qy;
-  const T chi2 = s.q - explained / determinant;
+  const T left = s.q - explained / determinant;
   // Never less but for rounding, or where all echoes lie on one ray.
-  return chi2 > 0.0 ? chi2 : T{};
+  chi2 = left > 0.0 ? left : T{};
 }
 
 inline double RayLineSums::chi2_of(Stretch places) const {
-  return places.size() < 2 ? 0.0 : chi2(between(places));
+  if (places.size() < 2) return 0.0;
+  double chi2;
+  find_chi2(between(places), chi2);
+  return chi2;
 }
 
 }  // namespace scanbed

@@ -119,6 +119,23 @@ TEST(RayLineTest, TheBestCutIsTheOneFoundByTrial) {
   }
 }
 
+TEST(RayLineTest, AllInstructionSetsFindTheSameCutsToTheBit) {
+  const Fitted whole = fit_all(with_noise(wall_scan(), 0.02, 5));
+  RayLineSums plain(InstructionSet::kPlain);
+  RayLineSums widest;
+  plain.build(whole.echoes);
+  widest.build(whole.echoes);
+  for (const int size : {3, 4, 5, 6, 7, 8, 9, 10, 40}) {
+    for (int first_cut = 7; first_cut < 6 + size; ++first_cut) {
+      const RayLineSums::Cut a = plain.best_cut({7, 6 + size}, first_cut);
+      const RayLineSums::Cut b = widest.best_cut({7, 6 + size}, first_cut);
+      EXPECT_EQ(a.place, b.place);
+      EXPECT_EQ(a.chi2_before, b.chi2_before);
+      EXPECT_EQ(a.chi2_after, b.chi2_after);
+    }
+  }
+}
+
 TEST(RayLineTest, AnEchoAtAnEndThatIsOffTheLineIsCutOff) {
   IdealScene scene;
   scene.wall({2.0, -1.0}, {2.5, 1.0});
