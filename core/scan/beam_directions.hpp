@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/scan/laser_scan.hpp"
@@ -17,6 +18,9 @@ class BeamDirections {
   int num_beams() const { return static_cast<int>(x_.size()); }
   double x(int beam) const { return x_[beam]; }
   double y(int beam) const { return y_[beam]; }
+  /// Of all beams, in their order.
+  std::span<const double> x() const { return x_; }
+  std::span<const double> y() const { return y_; }
 
  private:
   void tabulate(const ScanGeometry& geometry, int num_beams);

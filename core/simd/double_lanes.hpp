@@ -55,10 +55,6 @@ inline constexpr int kNumQuadLanes = 4;
   std::memcpy(&lanes, values, sizeof lanes);
 }
 
-[[gnu::always_inline]] inline void store(const Quads& lanes, double* values) {
-  std::memcpy(values, &lanes, sizeof lanes);
-}
-
 /// Of a comparison: bit i says whether it held in lane i.
 [[gnu::always_inline]] inline unsigned bits_of(const QuadMask& holds) {
 #if defined(__SSE2__)

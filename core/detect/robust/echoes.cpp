@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/simd/double_lanes.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -20,43 +22,145 @@ void resize(Echoes& echoes, int num_echoes) {
   for (std::vector<double>* column : {&echoes.range_m, &echoes.x_m, &echoes.y_m}) column->resize(num_echoes);
 }
 
-void project(const LaserScan& scan, Echoes& echoes) {
-  const int num_beams = scan.num_beams();
-  resize(echoes, num_beams);
-  int* const beam = echoes.beam.data();
-  double* const r_m = echoes.range_m.data();
-  double* const x_m = echoes.x_m.data();
-  double* const y_m = echoes.y_m.data();
-  int num_echoes = 0;
-  for (int i = 0; i < num_beams; ++i) {
-    const double range_m = scan.range_m[i];
-    // Overwritten by the next one where this is no echo; a range of 0 has no direction to fit anything to.
-    beam[num_echoes] = i;
-    r_m[num_echoes] = range_m;
-    x_m[num_echoes] = range_m * echoes.directions.x(i);
-    y_m[num_echoes] = range_m * echoes.directions.y(i);
-    num_echoes += range_m > 0.0 && range_m <= std::numeric_limits<double>::max() ? 1 : 0;
+/// Where echoes go that are read from beams.
+struct EchoWriter {
+  explicit EchoWriter(const LaserScan& scan, Echoes& echoes)
+      : range_m(scan.range_m.data()),
+        ux(echoes.directions.x().data()),
+        uy(echoes.directions.y().data()),
+        beam(echoes.beam.data()),
+        r_m(echoes.range_m.data()),
+        x_m(echoes.x_m.data()),
+        y_m(echoes.y_m.data()) {}
+
+  const double* range_m;
+  const double* ux;
+  const double* uy;
+  int* beam;
+  double* r_m;
+  double* x_m;
+  double* y_m;
+};
+
+// A range of 0 has no direction to fit anything to.
+constexpr double kMaxRange_m = std::numeric_limits<double>::max();
+
+// Reads the beams from the given one on; returns how many echoes there are then.
+int project(const EchoWriter& to, int first_beam, int num_beams, int num_echoes) {
+  for (int i = first_beam; i < num_beams; ++i) {
+    const double range_m = to.range_m[i];
+    // Overwritten by the next one where this is no echo.
+    to.beam[num_echoes] = i;
+    to.r_m[num_echoes] = range_m;
+    to.x_m[num_echoes] = range_m * to.ux[i];
+    to.y_m[num_echoes] = range_m * to.uy[i];
+    num_echoes += range_m > 0.0 && range_m <= kMaxRange_m ? 1 : 0;
   }
-  resize(echoes, num_echoes);
+  return num_echoes;
 }
 
-}  // namespace
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 int project_avx2(const EchoWriter& to, int num_beams) {
+  int num_echoes = 0;
+  int i = 0;
+  Quads range_m, ux, uy;
+  for (; i + kNumQuadLanes <= num_beams; i += kNumQuadLanes) {
+    load(to.range_m + i, range_m);
+    load(to.ux + i, ux);
+    load(to.uy + i, uy);
+    const unsigned echoes = bits_of((range_m > 0.0) & (range_m <= kMaxRange_m));
+    store_kept(echoes, range_m, to.r_m + num_echoes);
+    store_kept(echoes, range_m * ux, to.x_m + num_echoes);
+    store_kept(echoes, range_m * uy, to.y_m + num_echoes);
+    num_echoes += list_places(echoes, i, to.beam + num_echoes);
+  }
+  return project(to, i, num_beams, num_echoes);
+}
+#endif
+
+int project(InstructionSet set, const EchoWriter& to, int num_beams) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return project_avx2(to, num_beams);
+#endif
+  return project(to, 0, num_beams, 0);
+}
 
 // Beams without echo are far from their neighbours, or no number: no smooth run holds them.
-void NoiseHistogram::sort_into_bins(std::span<const double> range_m) {
-  bins_.resize(range_m.size() - 3);
-  const double* const r = range_m.data();
-  int* const bins = bins_.data();
-  const auto num_bins = static_cast<int>(bins_.size());
+[[gnu::always_inline]] inline void sort_into_bins_in(const double* r, int num_bins, int* bins) {
   for (int k = 0; k < num_bins; ++k) {
     // By steps, which do not overflow where ranges would.
     const double a = r[k + 1] - r[k];
     const double b = r[k + 2] - r[k + 1];
     const double c = r[k + 3] - r[k + 2];
-    const double bin = std::min(std::abs(c - 2.0 * b + a) * (1.0 / kBin_m), kNumBins - 1.0);
+    const double bin = std::min(std::abs(c - 2.0 * b + a) * (1.0 / kBin_m), NoiseHistogram::kNumBins - 1.0);
     const bool is_smooth = std::abs(c) + std::abs(b) + std::abs(a) <= kSmoothStep_m;
-    bins[k] = static_cast<int>(is_smooth ? bin : kNoBin);
+    bins[k] = static_cast<int>(is_smooth ? bin : NoiseHistogram::kNoBin);
   }
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 void sort_into_bins_avx2(const double* r, int num_bins, int* bins) {
+  sort_into_bins_in(r, num_bins, bins);
+}
+#endif
+
+// The lesser step of range to the neighbours where both have one sign, else less than nothing.
+double grazing_step_m(const double* r_m, int k) {
+  const double before_m = r_m[k] - r_m[k - 1];
+  const double after_m = r_m[k + 1] - r_m[k];
+  return std::max(std::min(before_m, after_m), -std::max(before_m, after_m));
+}
+
+// Lists the echoes at grazing incidence from a place on, behind those that are listed already; returns how
+// many they are then.
+int list_grazing(const Echoes& echoes, int first, int num_grazing, int* grazing) {
+  const int num_echoes = echoes.size();
+  const double* const r_m = echoes.range_m.data();
+  for (int k = first; k + 1 < num_echoes; ++k) {
+    grazing[num_grazing] = k;
+    num_grazing += grazing_step_m(r_m, k) > kGrazingStep_m ? 1 : 0;
+  }
+  return num_grazing;
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 int list_grazing_avx2(const Echoes& echoes, int* grazing) {
+  const double* const r_m = echoes.range_m.data();
+  int num_grazing = 0;
+  int k = 1;
+  Quads r, r_before, r_after;
+  for (; k + kNumQuadLanes < echoes.size(); k += kNumQuadLanes) {
+    load(r_m + k - 1, r_before);
+    load(r_m + k, r);
+    load(r_m + k + 1, r_after);
+    const Quads before = r - r_before;
+    const Quads after = r_after - r;
+    const auto rises = (before > kGrazingStep_m) & (after > kGrazingStep_m);
+    const auto falls = (before < -kGrazingStep_m) & (after < -kGrazingStep_m);
+    num_grazing += list_places(bits_of(rises | falls), k, grazing + num_grazing);
+  }
+  return list_grazing(echoes, k, num_grazing, grazing);
+}
+#endif
+
+int list_grazing(InstructionSet set, const Echoes& echoes, int* grazing) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return list_grazing_avx2(echoes, grazing);
+#endif
+  return list_grazing(echoes, 1, 0, grazing);
+}
+
+}  // namespace
+
+void NoiseHistogram::sort_into_bins(std::span<const double> range_m) {
+  bins_.resize(range_m.size() - 3);
+  const auto num_bins = static_cast<int>(bins_.size());
+#if defined(SCANBED_HAS_AVX2)
+  if (instructions_ == InstructionSet::kAvx2) {
+    return sort_into_bins_avx2(range_m.data(), num_bins, bins_.data());
+  }
+#endif
+  sort_into_bins_in(range_m.data(), num_bins, bins_.data());
 }
 
 void NoiseHistogram::count() {
@@ -90,7 +194,9 @@ std::optional<double> NoiseHistogram::sigma_m(std::span<const double> range_m) {
 void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
   echoes.directions.follow(scan);
   echoes.step_rad = std::abs(scan.geometry.step_rad);
-  project(scan, echoes);
+  const int num_beams = scan.num_beams();
+  resize(echoes, num_beams);
+  resize(echoes, project(instructions_, EchoWriter(scan, echoes), num_beams));
   const std::optional<double> sigma_m = noise_.sigma_m(scan.range_m);
   echoes.range_noise_m = std::clamp(sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m,
                                     options.min_noise_m, options.max_noise_m);
@@ -101,18 +207,11 @@ void EchoReader::weigh(Echoes& echoes) {
   const int num_echoes = echoes.size();
   const double variance_m2 = echoes.range_noise_m * echoes.range_noise_m;
   echoes.weight_per_m2.assign(num_echoes, 1.0 / variance_m2);
-  grazing_step_m_.resize(num_echoes);
-  const double* const r_m = echoes.range_m.data();
-  double* const steps_m = grazing_step_m_.data();
-  for (int k = 1; k + 1 < num_echoes; ++k) {
-    const double before_m = r_m[k] - r_m[k - 1];
-    const double after_m = r_m[k + 1] - r_m[k];
-    // The lesser step where both have one sign, else less than nothing.
-    steps_m[k] = std::max(std::min(before_m, after_m), -std::max(before_m, after_m));
-  }
-  for (int k = 1; k + 1 < num_echoes; ++k) {
-    if (steps_m[k] <= kGrazingStep_m || echoes.beam[k + 1] - echoes.beam[k - 1] != 2) continue;
-    const double error_m = kGrazingRatio * steps_m[k];
+  grazing_.resize(num_echoes + kNumQuadLanes);
+  const int num_grazing = list_grazing(instructions_, echoes, grazing_.data());
+  for (const int k : std::span(grazing_).first(num_grazing)) {
+    if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) continue;
+    const double error_m = kGrazingRatio * grazing_step_m(echoes.range_m.data(), k);
     echoes.weight_per_m2[k] = 1.0 / (variance_m2 + error_m * error_m);
   }
 }

@@ -11,6 +11,7 @@
 #include "core/detect/robust/surface_options.hpp"
 #include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -33,19 +34,23 @@ struct Echoes {
 /// Median of third differences of range, by counting.
 class NoiseHistogram {
  public:
+  static constexpr int kNumBins = 512;
+  static constexpr int kNoBin = kNumBins;  ///< of what is no noise
+
+  explicit NoiseHistogram(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   /// Sigma of the ranges of neighbouring beams, from their smooth runs; empty where those are too few to
   /// tell.
   std::optional<double> sigma_m(std::span<const double> range_m);
 
  private:
-  static constexpr int kNumBins = 512;
-  static constexpr int kNoBin = kNumBins;  ///< of what is no noise
-
   void sort_into_bins(std::span<const double> range_m);
   void count();
   double median_m() const;
 
   using Counts = std::array<int, kNumBins + 1>;
+  InstructionSet instructions_;
   // Neighbours often share their bin; in two tables one count need not wait for the other.
   std::array<Counts, 2> counts_{};
   std::vector<int> bins_;
@@ -60,13 +65,17 @@ class NoiseHistogram {
 /// @par Source  Noise: rms of third differences / sqrt(20) for white noise (1, 3, 3, 1 squared and summed).
 class EchoReader {
  public:
+  explicit EchoReader(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions), noise_(instructions) {}
+
   void read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes);
 
  private:
   void weigh(Echoes& echoes);
 
+  InstructionSet instructions_;
   NoiseHistogram noise_;
-  std::vector<double> grazing_step_m_;
+  std::vector<int> grazing_;  ///< echoes at grazing incidence, and room
 };
 
 }  // namespace scanbed

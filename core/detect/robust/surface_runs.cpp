@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simd/double_lanes.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -28,6 +30,27 @@ struct GapBound {
     const int num_beams = std::min(beam[b] - beam[a], most_beams);
     const double bound_m = least_m + per_range * std::min(r_m[a], r_m[b]) * num_beams;
     return bound_m * bound_m - (dx_m * dx_m + dy_m * dy_m);
+  }
+
+  // The same of four echoes from a place on, each with the one before.
+  [[gnu::always_inline]] void find_margins_m2(int place, Quads& margin_m2) const {
+    Quads x, y, r, x_before, y_before, r_before;
+    IntQuads beams, beams_before;
+    load(x_m + place, x);
+    load(y_m + place, y);
+    load(r_m + place, r);
+    load(beam + place, beams);
+    load(x_m + place - 1, x_before);
+    load(y_m + place - 1, y_before);
+    load(r_m + place - 1, r_before);
+    load(beam + place - 1, beams_before);
+    const Quads dx = x - x_before;
+    const Quads dy = y - y_before;
+    beams -= beams_before;
+    const IntQuads capped = beams < most_beams ? beams : IntQuads{} + most_beams;
+    const Quads nearer = r < r_before ? r : r_before;
+    const Quads bound = least_m + per_range * nearer * __builtin_convertvector(capped, Quads);
+    margin_m2 = bound * bound - (dx * dx + dy * dy);
   }
 
   double least_m;
@@ -57,6 +80,37 @@ bool goes_on_steadily(const Echoes& e, const SurfaceOptions& options, int first,
   return next_confirms && is_steady(step_m, e.range_m[k + 2] - e.range_m[k + 1], options);
 }
 
+// Lists the echoes from a place on that do not lie near the one before, behind those that are listed already;
+// returns how many they are then. Jumps come when they will: kept by counting, as a processor would foresee
+// them wrongly.
+int list_jumps(const GapBound& bound, int first, int num_echoes, int num_jumps, int* jumps) {
+  for (int k = first; k < num_echoes; ++k) {
+    jumps[num_jumps] = k;
+    num_jumps += bound.margin_m2(k - 1, k) > 0.0 ? 0 : 1;
+  }
+  return num_jumps;
+}
+
+#if defined(SCANBED_HAS_AVX2)
+SCANBED_AVX2 int list_jumps_avx2(const GapBound& bound, int num_echoes, int* jumps) {
+  int num_jumps = 0;
+  int k = 1;
+  Quads margin_m2;
+  for (; k + kNumQuadLanes <= num_echoes; k += kNumQuadLanes) {
+    bound.find_margins_m2(k, margin_m2);
+    num_jumps += list_places(bits_of(~(margin_m2 > 0.0)), k, jumps + num_jumps);
+  }
+  return list_jumps(bound, k, num_echoes, num_jumps, jumps);
+}
+#endif
+
+int list_jumps(InstructionSet set, const GapBound& bound, int num_echoes, int* jumps) {
+#if defined(SCANBED_HAS_AVX2)
+  if (set == InstructionSet::kAvx2) return list_jumps_avx2(bound, num_echoes, jumps);
+#endif
+  return list_jumps(bound, 1, num_echoes, 0, jumps);
+}
+
 bool all_between_are_nearer(const Echoes& e, int a, int b) {
   const double range_m = std::min(e.range_m[a], e.range_m[b]);
   return std::all_of(e.range_m.begin() + a + 1, e.range_m.begin() + b,
@@ -67,17 +121,8 @@ bool all_between_are_nearer(const Echoes& e, int a, int b) {
 
 void SurfaceSplitter::find_stretches(const Echoes& echoes, const SurfaceOptions& options) {
   const int num_echoes = echoes.size();
-  const GapBound bound(echoes, options);
-  margin_m2_.resize(num_echoes);
-  double* const margin_m2 = margin_m2_.data();
-  for (int k = 1; k < num_echoes; ++k) margin_m2[k] = bound.margin_m2(k - 1, k);
-  // Jumps come when they will: kept by counting, as a processor would foresee them wrongly.
-  jumps_.resize(num_echoes);
-  int num_jumps = 0;
-  for (int k = 1; k < num_echoes; ++k) {
-    jumps_[num_jumps] = k;
-    num_jumps += margin_m2[k] > 0.0 ? 0 : 1;
-  }
+  jumps_.resize(num_echoes + kNumQuadLanes);
+  const int num_jumps = list_jumps(instructions_, GapBound(echoes, options), num_echoes, jumps_.data());
   starts_.assign(1, 0);
   for (int i = 0; i < num_jumps; ++i) {
     if (!goes_on_steadily(echoes, options, starts_.back(), jumps_[i] - 1)) starts_.push_back(jumps_[i]);

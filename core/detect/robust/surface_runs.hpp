@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/detect/robust/echoes.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -30,6 +31,9 @@ struct SurfaceRuns {
 /// do not cut what agrees on both sides of them: such a speck becomes a surface of its own.
 class SurfaceSplitter {
  public:
+  explicit SurfaceSplitter(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   /// Sorts the echoes by surface. @pre they are in the order of their beams.
   void split(Echoes& echoes, const SurfaceOptions& options, SurfaceRuns& runs);
 
@@ -41,12 +45,12 @@ class SurfaceSplitter {
   template <typename Column>
   void sort_column(Column& column, Column& sorted) const;
 
-  std::vector<double> margin_m2_;  ///< of each echo: positive where it lies near the one before
-  std::vector<int> jumps_;         ///< echoes that do not
-  std::vector<int> starts_;        ///< of stretches without a jump, and the end of the last
-  std::vector<char> taken_;        ///< stretches that belong to a surface already
-  std::vector<int> chain_;         ///< the stretches, surface by surface
-  std::vector<int> order_;         ///< of the echoes that move: where they come from
+  InstructionSet instructions_;
+  std::vector<int> jumps_;   ///< echoes that do not lie near the one before
+  std::vector<int> starts_;  ///< of stretches without a jump, and the end of the last
+  std::vector<char> taken_;  ///< stretches that belong to a surface already
+  std::vector<int> chain_;   ///< the stretches, surface by surface
+  std::vector<int> order_;   ///< of the echoes that move: where they come from
   int first_moved_ = 0;
   std::vector<int> sorted_beams_;
   std::vector<double> sorted_values_;

@@ -66,6 +66,27 @@ TEST(EchoReaderTest, PointsLieWhereTheirBeamsPoint) {
   }
 }
 
+TEST(EchoReaderTest, AllInstructionSetsReadTheSameEchoesToTheBit) {
+  IdealScene corridor;
+  corridor.wall({-1.0, 1.0}, {30.0, 1.0});
+  corridor.wall({2.0, -1.0}, {0.0, -9.0});
+  LaserScan scan = with_noise(corridor.scan(), 0.01, 4);
+  for (int i = 0; i < scan.num_beams(); i += 1 + i % 7) scan.range_m[i] = i % 2 == 0 ? kInvalid : kNoEcho;
+  for (int num_beams = scan.num_beams(); num_beams >= 0; num_beams -= num_beams > 40 ? 29 : 1) {
+    scan.range_m.resize(num_beams);
+    Echoes plain;
+    Echoes widest;
+    EchoReader(InstructionSet::kPlain).read(scan, {}, plain);
+    EchoReader().read(scan, {}, widest);
+    EXPECT_EQ(plain.beam, widest.beam);
+    EXPECT_EQ(plain.range_m, widest.range_m);
+    EXPECT_EQ(plain.x_m, widest.x_m);
+    EXPECT_EQ(plain.y_m, widest.y_m);
+    EXPECT_EQ(plain.weight_per_m2, widest.weight_per_m2);
+    EXPECT_EQ(plain.range_noise_m, widest.range_noise_m);
+  }
+}
+
 // Ranges whose third differences all are 6 times the given value, and their steps small.
 std::vector<double> cubic(double sixth_m, int num) {
   std::vector<double> range_m;

@@ -25,6 +25,21 @@ int num_runs_of(const IdealScene& scene) {
   return runs_of(scene.scan()).num_runs();
 }
 
+TEST(SurfaceRunsTest, AllInstructionSetsFindTheSameSurfaces) {
+  IdealScene scene;
+  scene.wall({4.0, -3.0}, {4.0, 3.0});
+  for (int i = 0; i < 9; ++i) scene.cylinder({1.0 + 0.3 * i, -2.0 + 0.5 * i}, 0.02 * (i + 1));
+  LaserScan scan = scene.scan();
+  for (int num_beams = scan.num_beams(); num_beams > 0; num_beams -= num_beams > 20 ? 13 : 1) {
+    scan.range_m.resize(num_beams);
+    Echoes echoes;
+    EchoReader().read(scan, {}, echoes);
+    SurfaceRuns plain;
+    SurfaceSplitter(InstructionSet::kPlain).split(echoes, {}, plain);
+    EXPECT_EQ(runs_of(scan).begin, plain.begin);
+  }
+}
+
 TEST(SurfaceRunsTest, AColumnBeforeAWallIsASurfaceOfItsOwn) {
   IdealScene scene;
   scene.wall({4.0, -3.0}, {4.0, 3.0});
