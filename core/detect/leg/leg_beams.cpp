@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
 namespace {
@@ -30,8 +34,23 @@ void LegBeamReader::read(const LaserScan& scan, LegBeams& beams) {
     std::fill(values->begin() + num_beams, values->end(), LegBeams::kNothing_m);
   }
   beams.resize_echoes(num_beams);
-  std::size_t n = 0;
-  for (int i = 0; i < num_beams; ++i) {
+  int num_echoes = 0;
+#if defined(SCANBED_HAS_AVX2)
+  if (instructions_ == InstructionSet::kAvx2) {
+    num_echoes = read_beams_avx2(scan, beams);
+  } else {
+    num_echoes = read_beams(scan, 0, 0, beams);
+  }
+#else
+  num_echoes = read_beams(scan, 0, 0, beams);
+#endif
+  beams.resize_echoes(num_echoes);
+}
+
+// From a beam on; before it there were so many echoes. Returns how many there are then.
+int LegBeamReader::read_beams(const LaserScan& scan, int first_beam, int num_echoes, LegBeams& beams) const {
+  int n = num_echoes;
+  for (int i = first_beam; i < scan.num_beams(); ++i) {
     const double range_m = scan.range_m[i];
     const double x_m = range_m * directions_.x(i);
     const double y_m = range_m * directions_.y(i);
@@ -46,7 +65,41 @@ void LegBeamReader::read(const LaserScan& scan, LegBeams& beams) {
     beams.echo_y_m[n] = y_m;
     n += is_echo ? 1 : 0;
   }
-  beams.resize_echoes(n);
+  return n;
 }
+
+#if defined(SCANBED_HAS_AVX2)
+// Four beams at a time.
+SCANBED_AVX2 int LegBeamReader::read_beams_avx2(const LaserScan& scan, LegBeams& beams) const {
+  const Quads nothing = LegBeams::kNothing_m - Quads{};
+  const auto store_beams = [&](const QuadMask& is_echo, const Quads& values, float* to) SCANBED_AVX2 {
+    const __m128 narrow = _mm256_cvtpd_ps(is_echo ? values : nothing);
+    std::memcpy(to, &narrow, sizeof narrow);
+  };
+  int n = 0;
+  int i = 0;
+  Quads range_m, ux, uy;
+  for (; i + kNumQuadLanes <= scan.num_beams(); i += kNumQuadLanes) {
+    load(&scan.range_m[i], range_m);
+    load(&directions_.x()[i], ux);
+    load(&directions_.y()[i], uy);
+    const Quads x_m = range_m * ux;
+    const Quads y_m = range_m * uy;
+    const Quads off = x_m + y_m;
+    const QuadMask is_finite =
+        (off <= std::numeric_limits<double>::max()) & (off >= std::numeric_limits<double>::lowest());
+    const QuadMask is_echo = (range_m > 0.0) & (range_m <= kMaxRange_m) & is_finite;
+    store_beams(is_echo, range_m, &beams.range_m[i]);
+    store_beams(is_echo, x_m, &beams.x_m[i]);
+    store_beams(is_echo, y_m, &beams.y_m[i]);
+    const unsigned echoes = bits_of(is_echo);
+    store_kept(echoes, range_m, &beams.echo_range_m[n]);
+    store_kept(echoes, x_m, &beams.echo_x_m[n]);
+    store_kept(echoes, y_m, &beams.echo_y_m[n]);
+    n += list_places(echoes, i, &beams.beam[n]);
+  }
+  return read_beams(scan, i, n, beams);
+}
+#endif
 
 }  // namespace scanbed

@@ -9,6 +9,7 @@
 #include "core/scan/beam_directions.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "core/simd/float_lanes.hpp"
+#include "core/simd/instruction_set.hpp"
 
 namespace scanbed {
 
@@ -45,10 +46,17 @@ class LegBeamReader {
  public:
   static constexpr int kBlock = kNumLanes;  ///< beams are padded to a multiple of this, and by one block more
 
+  explicit LegBeamReader(InstructionSet instructions = widest_instruction_set())
+      : instructions_(instructions) {}
+
   /// Ranges that are not positive and finite count as no echo.
   void read(const LaserScan& scan, LegBeams& beams);
 
  private:
+  int read_beams(const LaserScan& scan, int first_beam, int num_echoes, LegBeams& beams) const;
+  SCANBED_AVX2 int read_beams_avx2(const LaserScan& scan, LegBeams& beams) const;
+
+  InstructionSet instructions_;
   BeamDirections directions_;
 };
 

@@ -40,6 +40,25 @@ TEST(LegBeamsTest, EchoesLieWhereTheirBeamsPoint) {
   }
 }
 
+TEST(LegBeamsTest, AllInstructionSetsReadTheSameToTheBit) {
+  const double others[] = {kNoEcho, 0.0, kInvalid, kTooClose, -1.0, 101.0, 1e300};
+  std::vector<double> range_m(50);
+  for (int i = 0; i < 50; ++i) range_m[i] = i % 5 == 2 ? others[i % 7] : 0.1 + 0.37 * i;
+  for (; !range_m.empty(); range_m.pop_back()) {
+    LegBeams plain;
+    LegBeams widest;
+    LegBeamReader(InstructionSet::kPlain).read(scan_of(range_m), plain);
+    LegBeamReader().read(scan_of(range_m), widest);
+    EXPECT_EQ(plain.range_m, widest.range_m);
+    EXPECT_EQ(plain.x_m, widest.x_m);
+    EXPECT_EQ(plain.y_m, widest.y_m);
+    EXPECT_EQ(plain.beam, widest.beam);
+    EXPECT_EQ(plain.echo_range_m, widest.echo_range_m);
+    EXPECT_EQ(plain.echo_x_m, widest.echo_x_m);
+    EXPECT_EQ(plain.echo_y_m, widest.echo_y_m);
+  }
+}
+
 TEST(LegBeamsTest, WholeBlocksCanBeReadFromEveryBeam) {
   for (const int num_beams : {0, 1, 7, 8, 9, 361}) {
     LegBeams beams;
