@@ -30,20 +30,23 @@ class EchoChord {
 
   /// The farthest of some places, kNumSamples from the first on in steps.
   int farthest(int first, int step) const {
-    Doubles place = both_lanes(first);
+    const auto place_of = [&](int sample) { return std::min(first + sample * step, last_); };
+    Doubles sample{0.0, 1.0};
+    Doubles best{};
     Doubles most = both_lanes(-1.0);
     for (int i = 0; i < kNumSamples; i += 2) {
-      const int a = std::min(first + i * step, last_);
-      const int b = std::min(a + step, last_);
+      const int a = place_of(i);
+      const int b = place_of(i + 1);
       const Doubles off_m2 =
           along_x_m_ * Doubles{y_m_[a], y_m_[b]} - along_y_m_ * Doubles{x_m_[a], x_m_[b]} - offset_m2_;
       const Doubles off_m4 = off_m2 * off_m2;
       const auto is_farther = off_m4 > most;
-      place = is_farther ? Doubles{1.0 * a, 1.0 * b} : place;
+      best = is_farther ? sample : best;
       most = is_farther ? off_m4 : most;
+      sample += 2.0;
     }
-    place = swapped(most) > most ? swapped(place) : place;
-    return static_cast<int>(place[0]);
+    best = swapped(most) > most ? swapped(best) : best;
+    return place_of(static_cast<int>(best[0]));
   }
 
  private:
@@ -61,9 +64,17 @@ void LineSplitter::begin(const Echoes& echoes, const RayLineSums& sums, const Su
   echoes_ = &echoes;
   sums_ = &sums;
   options_ = &options;
-  parts_.resize(echoes.size());
-  // One more, as a part is written before it is known whether it counts.
-  to_cut_.resize(echoes.size() + 1);
+  // There is room for all that one scan may ask for. One more, as a part is written before it is known
+  // whether it counts.
+  const std::size_t room = echoes.size() + 1;
+  if (parts_.size() < room) {
+    parts_.resize(room);
+    to_cut_.resize(room);
+    cutting_.resize(room);
+    first_cuts_.resize(room);
+    cuts_.resize(room);
+    pairs_.resize(room);
+  }
   num_to_cut_ = 0;
 }
 
@@ -89,11 +100,9 @@ void LineSplitter::split() {
 // In three rounds, so that what is sought for one part need not wait for another.
 void LineSplitter::cut_all() {
   const int num_parts = num_to_cut_;
-  cutting_.assign(to_cut_.begin(), to_cut_.begin() + num_parts);
-  first_cuts_.resize(num_parts);
-  cuts_.resize(num_parts);
+  std::swap(cutting_, to_cut_);
   for (int i = 0; i < num_parts; ++i) first_cuts_[i] = first_cut_of(cutting_[i]);
-  sums_->best_cuts(cutting_, first_cuts_, cuts_);
+  sums_->best_cuts(std::span(cutting_).first(num_parts), first_cuts_, cuts_);
   num_to_cut_ = 0;
   for (int i = 0; i < num_parts; ++i) {
     const Stretch places = cutting_[i];
@@ -153,6 +162,7 @@ double LineSplitter::cost_of(Stretch places, double chi2) const {
 // Neighbours that one line explains at no more cost become one piece.
 bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) {
   const int num_pieces = static_cast<int>(pieces.size() - first_piece);
+  if (num_pieces < 2) return false;
   LinePiece* const piece = pieces.data() + first_piece;
   if (!compare_pairs({piece, static_cast<std::size_t>(num_pieces)})) return false;
   // The pieces that stay move to the front.
@@ -169,7 +179,6 @@ bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& p
 
 bool LineSplitter::compare_pairs(std::span<const LinePiece> pieces) {
   const std::size_t num_pairs = pieces.size() - 1;
-  pairs_.resize(num_pairs);
   int num_worth = 0;
   for (std::size_t i = 0; i < num_pairs; ++i) {
     const Stretch places{pieces[i].places.first, pieces[i + 1].places.last};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simd/double_lanes.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -37,6 +39,24 @@ bool passes_near(const RayLine& line, const Eigen::Vector2d& p_m) {
   return off * off <= kOtherWall_m * kOtherWall_m * line.inverse_m.squaredNorm();
 }
 
+// The largest distance of echoes to a line, two at a time.
+double largest_error_m(const Echoes& echoes, Stretch places, const Eigen::Vector2d& normal,
+                       double distance_m) {
+  const double* const x_m = echoes.x_m.data();
+  const double* const y_m = echoes.y_m.data();
+  Doubles largest_m{};
+  const auto take = [&](const Doubles& x, const Doubles& y) {
+    const Doubles off_m = distance_m - (normal.x() * x + normal.y() * y);
+    const Doubles error_m = off_m < 0.0 ? -off_m : off_m;
+    largest_m = error_m > largest_m ? error_m : largest_m;
+  };
+  int k = places.first;
+  for (; k < places.last; k += 2) take(lanes_at(x_m + k), lanes_at(y_m + k));
+  // The last again, where it is one of a pair.
+  take(both_lanes(x_m[places.last]), both_lanes(y_m[places.last]));
+  return std::max(largest_m[0], largest_m[1]);
+}
+
 // Ends and errors on the line that rays see, which weighs grazing echoes rightly.
 Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& inverse_m) {
   const auto [first, last] = places;
@@ -57,7 +77,7 @@ Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& invers
     line.bias_m = distance_m / normal.y();
   }
   line.num_points = places.size();
-  for (int k = first; k <= last; ++k) line.error_m = std::max(line.error_m, std::abs(off_m(k)));
+  line.error_m = largest_error_m(echoes, places, normal, distance_m);
   line.score = 1.0 - 2.0 / line.num_points;
   return line;
 }
