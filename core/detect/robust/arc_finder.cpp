@@ -153,14 +153,16 @@ bool ArcFinder::is_worth_fitting(const std::optional<AlgebraicArc>& algebraic, d
   return most_chi2 > 0.0 && algebraic && algebraic->chi2 < excess * most_chi2;
 }
 
+bool ArcFinder::may_join(Stretch before, Stretch after) const {
+  const auto bulges_at = [&](int place) {
+    return bulges(point_m(before.first), point_m(place), point_m(after.last));
+  };
+  return (before.size() + after.size() >= min_echoes_) & (bulges_at(before.last) | bulges_at(after.first));
+}
+
 std::optional<Arc> ArcFinder::join(Stretch before, Stretch after, double cost) {
   Arc arc{.parts = {before, after}, .num_parts = 2};
-  if (arc.num_echoes() < min_echoes_) return std::nullopt;
   const Stretch both{before.first, after.last};
-  const auto bulges_at = [&](int place) {
-    return bulges(point_m(both.first), point_m(place), point_m(both.last));
-  };
-  if (!bulges_at(before.last) && !bulges_at(after.first)) return std::nullopt;
   const Ends ends = ends_of(both, arc);
   const std::optional<AlgebraicArc> algebraic = moments_.arc_of_both(before, after);
   if (!is_worth_fitting(algebraic, cost - ends.price)) return std::nullopt;

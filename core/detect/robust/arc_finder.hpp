@@ -41,9 +41,14 @@ class ArcFinder {
   /// Appends the arcs of one surface that gain, the best where they contend, and marks the pieces they take.
   void find(Stretch surface, std::span<LinePiece> pieces, std::vector<Arc>& arcs);
 
+  /// Whether one arc may go through two surfaces: quick to see.
+  bool may_join(Stretch before, Stretch after) const;
+
   /// One arc through two surfaces with something nearer between them.
   ///
-  /// @param cost  of explaining the two otherwise. @returns the arc where it gains against that.
+  /// @pre          may_join(before, after).
+  /// @param cost   of explaining the two otherwise.
+  /// @returns the arc where it gains against that.
   std::optional<Arc> join(Stretch before, Stretch after, double cost);
 
  private:

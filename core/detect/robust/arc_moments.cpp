@@ -8,7 +8,7 @@ namespace scanbed {
 
 void ArcMoments::begin(const Echoes& echoes) {
   echoes_ = &echoes;
-  sums_.resize(echoes.size());
+  if (sums_.size() < echoes.beam.size()) sums_.resize(echoes.size());
   summed_ = {0, -1};
 }
 
@@ -32,7 +32,7 @@ ArcMoments::Sums ArcMoments::plus(Sums sums, int place) const {
 }
 
 ArcMoments::Sums ArcMoments::difference(const Sums& a, const Sums& b) {
-  return {b.w - a.w,   b.x - a.x,   b.y - a.y,   b.xx - a.xx, b.xy - a.xy,
+  return {b.x - a.x,   b.y - a.y,   b.w - a.w,   b.xx - a.xx, b.xy - a.xy,
           b.yy - a.yy, b.xz - a.xz, b.yz - a.yz, b.zz - a.zz};
 }
 

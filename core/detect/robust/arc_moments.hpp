@@ -34,7 +34,8 @@ class ArcMoments {
 
  private:
   struct Sums {
-    double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;  // z = x^2 + y^2
+    // z = x^2 + y^2; x and y as a pair, as they are written and read.
+    double x = 0, y = 0, w = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
   };
   static std::optional<AlgebraicArc> solve(const Sums& sums);
   static Sums difference(const Sums& a, const Sums& b);

@@ -207,7 +207,8 @@ void EchoReader::weigh(Echoes& echoes) {
   const int num_echoes = echoes.size();
   const double variance_m2 = echoes.range_noise_m * echoes.range_noise_m;
   echoes.weight_per_m2.assign(num_echoes, 1.0 / variance_m2);
-  grazing_.resize(num_echoes + kNumQuadLanes);
+  const std::size_t room = num_echoes + kNumQuadLanes;
+  if (grazing_.size() < room) grazing_.resize(room);
   const int num_grazing = list_grazing(instructions_, echoes, grazing_.data());
   for (const int k : std::span(grazing_).first(num_grazing)) {
     if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) continue;

@@ -66,7 +66,7 @@ template <typename Lanes>
 void RayLineSums::build(const Echoes& echoes) {
   const int num_echoes = echoes.size();
   for (std::vector<double>* sums : {&q_, &qx_, &qy_, &qxx_, &qxy_, &qyy_}) {
-    sums->resize(num_echoes + 1);
+    if (sums->size() <= echoes.beam.size()) sums->resize(num_echoes + 1);
     sums->front() = 0.0;
   }
   // In pairs, as two sums grow as fast as one.

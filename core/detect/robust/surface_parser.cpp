@@ -103,6 +103,7 @@ bool SurfaceParser::may_go_on(const SurfacedScan& scan, const Explained& before,
 }
 
 bool SurfaceParser::join(Explained& before, Explained& after) {
+  if (!arc_finder_.may_join(before.places, after.places)) return false;
   const double as_line = options_->surface.line_price + sums_.fit_both(before.places, after.places).chi2;
   const double cost = std::min(cost_of(before) + cost_of(after), as_line);
   const auto arc = arc_finder_.join(before.places, after.places, cost);

@@ -121,7 +121,8 @@ bool all_between_are_nearer(const Echoes& e, int a, int b) {
 
 void SurfaceSplitter::find_stretches(const Echoes& echoes, const SurfaceOptions& options) {
   const int num_echoes = echoes.size();
-  jumps_.resize(num_echoes + kNumQuadLanes);
+  const std::size_t room = num_echoes + kNumQuadLanes;
+  if (jumps_.size() < room) jumps_.resize(room);
   const int num_jumps = list_jumps(instructions_, GapBound(echoes, options), num_echoes, jumps_.data());
   starts_.assign(1, 0);
   for (int i = 0; i < num_jumps; ++i) {
