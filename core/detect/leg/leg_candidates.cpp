@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -19,7 +20,7 @@ constexpr int kMinHalvedEchoes = 4;
 constexpr double kMinHalvedWidth_m = 0.08;
 constexpr double kMaxHalvedWidth_m = 0.9;
 constexpr double kMinNotch_m = 0.015;
-constexpr int kMaxInRun = 7;  ///< candidates
+constexpr std::size_t kMaxInRun = 7;  ///< candidates
 
 // Lists the echoes that may lie behind a gap, and returns how many they are: all whose beam before has none,
 // and all that lie too far from it by single precision, with a margin far above its rounding.
@@ -78,6 +79,38 @@ void number_echoes(int num_echoes, LegSegmentation& segmentation) {
   segmentation.run_of_echo.resize(num_echoes);
 }
 
+// In the order of runs.
+std::uint64_t key_of(const EchoRun& run) {
+  return static_cast<std::uint64_t>(run.first) << 32 | static_cast<std::uint32_t>(run.last);
+}
+
+// Merges two lists in rising order. Without a jump, as nothing foretells which list goes on.
+void merge(std::span<const EchoRun> a, std::span<const EchoRun> b, EchoRun* merged) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size()) {
+    const bool is_b = key_of(b[j]) < key_of(a[i]);
+    *merged++ = is_b ? b[j] : a[i];
+    i += is_b ? 0 : 1;
+    j += is_b ? 1 : 0;
+  }
+  merged = std::copy(a.begin() + static_cast<std::ptrdiff_t>(i), a.end(), merged);
+  std::copy(b.begin() + static_cast<std::ptrdiff_t>(j), b.end(), merged);
+}
+
+// Keeps each once, of a list in rising order; without a jump too.
+void drop_repeated(std::vector<EchoRun>& runs) {
+  std::size_t num_kept = 0;
+  std::uint64_t before = std::numeric_limits<std::uint64_t>::max();
+  for (const EchoRun run : runs) {
+    const std::uint64_t key = key_of(run);
+    num_kept += key != before ? 1 : 0;
+    before = key;
+    runs[num_kept - 1] = run;
+  }
+  runs.resize(num_kept);
+}
+
 // The echo before the largest step of range.
 int largest_step(const LegBeams& beams, const EchoRun& run) {
   int before = run.first;
@@ -95,7 +128,8 @@ int largest_step(const LegBeams& beams, const EchoRun& run) {
 // All that the finest segmentation cuts; the others cut at some of them.
 void LegCandidateFinder::find_gaps(const LegBeams& beams) {
   gaps_.clear();
-  suspects_.resize(beams.num_echoes());
+  const std::size_t room = beams.beam.size();
+  if (suspects_.size() < room) suspects_.resize(room);
   const int num_suspects = list_suspects(instructions_, beams, suspects_.data());
   for (const int k : std::span(suspects_).first(num_suspects)) {
     if (k == 0) continue;
@@ -185,7 +219,6 @@ void LegCandidateFinder::halve(const LegBeams& beams, const EchoRun& run) {
 }
 
 void LegCandidateFinder::find_in(const LegBeams& beams, const EchoRun& run, double width_m) {
-  found_.resize(num_found_ + kMaxInRun);
   const bool is_halved =
       run.size() >= kMinHalvedEchoes && width_m >= kMinHalvedWidth_m && width_m <= kMaxHalvedWidth_m;
   if (is_halved) {
@@ -202,19 +235,19 @@ void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) 
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
     LegSegmentation& segmentation = candidates.segmentations[i];
     cut(beams, kGaps_m[i], segmentation);
+    const std::size_t room = kMaxInRun * segmentation.runs.size();
+    if (found_.size() < room) found_.resize(room);
     num_found_ = 0;
     for (std::size_t k = 0; k < segmentation.runs.size(); ++k) {
       const EchoRun& run = segmentation.runs[k];
       const bool is_known = i > 0 && candidates.segmentations[i - 1].has(run);
       if (!is_known) find_in(beams, run, segmentation.width_m[k]);
     }
-    found_.resize(num_found_);
     merged_.resize(candidates.runs.size() + num_found_);
-    std::merge(candidates.runs.begin(), candidates.runs.end(), found_.begin(), found_.end(), merged_.begin());
+    merge(candidates.runs, std::span(found_).first(num_found_), merged_.data());
     std::swap(candidates.runs, merged_);
   }
-  const auto end = std::unique(candidates.runs.begin(), candidates.runs.end());
-  candidates.runs.erase(end, candidates.runs.end());
+  drop_repeated(candidates.runs);
 }
 
 }  // namespace scanbed

@@ -63,7 +63,8 @@ class LegCandidateFinder {
   InstructionSet instructions_;
   std::vector<int> suspects_;  ///< echoes that may lie behind a gap, and room
   std::vector<Gap> gaps_;
-  std::vector<EchoRun> found_, merged_;
+  std::vector<EchoRun> found_;  ///< in one segmentation, and room
+  std::vector<EchoRun> merged_;
   std::size_t num_found_ = 0;
   std::vector<double> nearest_after_m_;  ///< of each echo of a run: least range from there on
 };

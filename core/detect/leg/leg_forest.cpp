@@ -110,8 +110,9 @@ void LegForestScorer::keep_above(float min_sum) {
     num_kept += stays(i) ? 1 : 0;
   }
   if ((num_kept + kBlock - 1) / kBlock == table_.num_blocks()) return;
-  gaps_.resize(num_candidates);
-  movers_.resize(num_candidates);
+  const std::size_t room = candidate_.size();
+  if (gaps_.size() < room) gaps_.resize(room);
+  if (movers_.size() < room) movers_.resize(room);
   int num_gaps = 0;
   for (int i = 0; i < num_kept; ++i) {
     gaps_[num_gaps] = i;

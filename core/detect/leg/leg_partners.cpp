@@ -53,24 +53,25 @@ void look_around(InstructionSet set, std::span<const Likely> likely, const LegPl
 }  // namespace
 
 // Without a jump, as nothing foretells who is likely.
-void LegPartnerReader::gather(std::span<const LegPlace> places, std::span<const float> sums) {
-  likely_.resize(places.size());
+std::span<const Likely> LegPartnerReader::gather(std::span<const LegPlace> places,
+                                                 std::span<const float> sums) {
+  if (likely_.size() < places.size()) likely_.resize(places.size());
   std::size_t num_likely = 0;
   for (std::size_t c = 0; c < places.size(); ++c) {
     likely_[num_likely] = {places[c], sums[c]};
     num_likely += sums[c] > kUnlikely ? 1 : 0;
   }
-  likely_.resize(num_likely);
+  return std::span(likely_).first(num_likely);
 }
 
 void LegPartnerReader::read(std::span<const LegPlace> places, std::span<const float> sums,
                             LegFeatureTable& table) {
-  gather(places, sums);
+  const std::span<const Likely> likely = gather(places, sums);
   LegPlaceLanes own;
   Partners found;
   for (int i = 0; i < table.num_blocks(); ++i) {
     own.read(places.subspan(static_cast<std::size_t>(i) * kNumLanes));
-    look_around(instructions_, likely_, own, found);
+    look_around(instructions_, likely, own, found);
     table.write(LegFeature::kPartner35, i, found.near);
     table.write(LegFeature::kPartner80, i, found.far);
     table.write(LegFeature::kRival, i, found.rival);

@@ -28,10 +28,10 @@ class LegPartnerReader {
   };
 
  private:
-  void gather(std::span<const LegPlace> places, std::span<const float> sums);
+  std::span<const Likely> gather(std::span<const LegPlace> places, std::span<const float> sums);
 
   InstructionSet instructions_;
-  std::vector<Likely> likely_;
+  std::vector<Likely> likely_;  ///< and room
 };
 
 }  // namespace scanbed
