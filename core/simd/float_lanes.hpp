@@ -68,29 +68,40 @@ template <int kDistance, typename Lanes>
                                     from(6), from(7));
 }
 
-[[gnu::always_inline]] inline float least_of(const Floats& values) {
-  Floats lanes = values;
-  Floats others;
+/// The least of either's lanes.
+struct LeastOfTwo {
+  float first, second;
+};
+[[gnu::always_inline]] inline LeastOfTwo least_of(const Floats& first, const Floats& second) {
+  // Lanes of both take turns, so that they are folded at once.
+  Floats lanes = __builtin_shufflevector(first, second, 0, 8, 1, 9, 4, 12, 5, 13);
+  Floats others = __builtin_shufflevector(first, second, 2, 10, 3, 11, 6, 14, 7, 15);
+  lower(lanes, others);
   swap_across<4>(lanes, others);
   lower(lanes, others);
   swap_across<2>(lanes, others);
   lower(lanes, others);
-  swap_across<1>(lanes, others);
-  lower(lanes, others);
-  return lanes[0];
+  return {lanes[0], lanes[1]};
 }
 
-/// How often a comparison held whose results were subtracted.
-[[gnu::always_inline]] inline int sum_of(const Ints& held) {
-  Ints lanes = held;
-  Ints others;
-  swap_across<4>(lanes, others);
-  lanes += others;
-  swap_across<2>(lanes, others);
-  lanes += others;
-  swap_across<1>(lanes, others);
-  lanes += others;
-  return lanes[0];
+/// How often each of four comparisons held whose results were subtracted.
+struct SumsOfFour {
+  int first, second, third, fourth;
+};
+[[gnu::always_inline]] inline SumsOfFour sums_of(const Ints& first, const Ints& second, const Ints& third,
+                                                 const Ints& fourth) {
+  const auto fold_two = [](const Ints& a, const Ints& b, Ints& folded) {
+    folded = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13) +
+             __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  };
+  Ints front, back, swapped;
+  fold_two(first, second, front);
+  fold_two(third, fourth, back);
+  Ints lanes = __builtin_shufflevector(front, back, 0, 1, 8, 9, 4, 5, 12, 13) +
+               __builtin_shufflevector(front, back, 2, 3, 10, 11, 6, 7, 14, 15);
+  swap_across<4>(lanes, swapped);
+  lanes += swapped;
+  return {lanes[0], lanes[1], lanes[2], lanes[3]};
 }
 
 /// Of each lane.

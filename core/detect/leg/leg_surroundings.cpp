@@ -10,9 +10,9 @@ constexpr float kNearReach_m2 = LegSurroundings::kNearReach_m * LegSurroundings:
 constexpr float kSmallReach_m = 1.0F;
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
-/// Beams on either side of a candidate, in blocks that begin beside it, so that they hold none of its own.
-/// One loop goes through both sides, since where a loop ends cannot be foretold. The outermost blocks may
-/// reach farther than asked for.
+/// Beams on either side of a candidate, in blocks that hold none of its own: from the lowest on to those that
+/// end before it, then from the one behind it on. One loop goes through both sides, since where a loop ends
+/// cannot be foretold. The outermost blocks may reach farther than asked for.
 class Sides {
  public:
   Sides(const BeamSpan& own, const BeamSpan& all)
@@ -21,13 +21,14 @@ class Sides {
         num_blocks_(num_left_ + num_blocks_of(all.last - own.last)) {}
 
   int num_blocks() const { return num_blocks_; }
-  int first_beam(int block) const {
-    return block < num_left_ ? own_.first - kNumLanes * (block + 1)
-                             : own_.last + 1 + kNumLanes * (block - num_left_);
-  }
+  /// Of the first block, and of the block behind another.
+  int first_beam() const { return behind_own(own_.first - kNumLanes * num_left_); }
+  int next_beam(int first_beam) const { return behind_own(first_beam + kNumLanes); }
 
  private:
   static int num_blocks_of(int num_beams) { return (num_beams + kNumLanes - 1) / kNumLanes; }
+  // By where it stands rather than by its number, or the compiler makes two loops of one.
+  int behind_own(int beam) const { return beam == own_.first ? own_.last + 1 : beam; }
 
   BeamSpan own_;
   int num_left_;
@@ -41,8 +42,8 @@ class Sides {
   Floats nearest_m2 = Floats{} + kNearReach_m2;
   Floats nearest_wall_m2 = nearest_m2;
   Floats x, y, off_wall;
-  for (int i = 0; i < sides.num_blocks(); ++i) {
-    const int first = sides.first_beam(i);
+  int first = sides.first_beam();
+  for (int i = 0; i < sides.num_blocks(); ++i, first = sides.next_beam(first)) {
     load(view.around.x_m.from(first), x);
     load(view.around.y_m.from(first), y);
     load(view.around.off_wall_m2.from(first), off_wall);
@@ -57,8 +58,9 @@ class Sides {
     lower(nearest_m2, d2);
     lower(nearest_wall_m2, wall2);
   }
-  return {sum_of(within30), sum_of(within50),     sum_of(within100),
-          sum_of(wall100),  least_of(nearest_m2), least_of(nearest_wall_m2)};
+  const SumsOfFour sums = sums_of(within30, within50, within100, wall100);
+  const LeastOfTwo least_m2 = least_of(nearest_m2, nearest_wall_m2);
+  return {sums.first, sums.second, sums.third, sums.fourth, least_m2.first, least_m2.second};
 }
 
 [[gnu::always_inline]] inline BesideBeams look_beside_in(const LegView& view, const BeamSpan& all) {
@@ -70,8 +72,8 @@ class Sides {
   const Floats most = none + LegSurroundings::kMaxJump_m;
   Floats nearest_m = most;
   Floats behind_m = most;
-  for (int i = 0; i < sides.num_blocks(); ++i) {
-    const int first = sides.first_beam(i);
+  int first = sides.first_beam();
+  for (int i = 0; i < sides.num_blocks(); ++i, first = sides.next_beam(first)) {
     load(view.around.range_m.from(first), range_m);
     const Ints beam = kLane + first;
     const Ints is_beside = (beam > all.first - 1) & (beam < all.last + 1);
@@ -83,7 +85,9 @@ class Sides {
     lower(nearest_m, farther < 0.0F ? -farther : farther);
     lower(behind_m, farther > -0.1F ? farther : most);
   }
-  return {sum_of(open25), sum_of(open60), sum_of(hidden), least_of(nearest_m), least_of(behind_m)};
+  const SumsOfFour sums = sums_of(open25, open60, hidden, hidden);
+  const LeastOfTwo least_m = least_of(nearest_m, behind_m);
+  return {sums.first, sums.second, sums.third, least_m.first, least_m.second};
 }
 
 [[gnu::always_inline]] inline void find_small_in(std::span<const SmallRun> runs, const LegPlaceLanes& own,
