@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/simd/double_lanes.hpp"
 #include "sim/generate/world_dice.hpp"
 
 namespace scanbed::bench {
@@ -14,10 +15,7 @@ constexpr double kMinCurvature = 1e-4;
 constexpr double kMaxStep = 4.0;  // in log-odds, of one leaf before the rate
 
 /// Slope and curvature of the loss, summed over the rows in each leaf.
-struct LeafSums {
-  std::array<double, LegTree::kNumLeaves> slope{};
-  std::array<double, LegTree::kNumLeaves> curvature{};
-};
+using LeafSums = std::array<Doubles, LegTree::kNumLeaves>;
 
 class Booster {
  public:
@@ -25,94 +23,93 @@ class Booster {
       : rows_(rows), options_(options), dice_(options.seed, "boosting") {
     const std::size_t n = rows.is_leg.size();
     log_odds_.resize(n);
-    slope_.resize(n);
-    curvature_.resize(n);
     leaf_.resize(n);
     const double total = std::accumulate(rows.weight.begin(), rows.weight.end(), 0.0);
     unit_ = static_cast<double>(n) / total;
   }
 
-  // Takes in what a tree says that was grown before.
+  // Takes in what a tree says, of all rows.
   void follow(const LegTree& tree) {
     std::fill(leaf_.begin(), leaf_.end(), 0);
-    for (int level = 0; level < LegTree::kDepth; ++level) split(tree, level);
+    for (int level = 0; level < LegTree::kDepth; ++level) {
+      const std::vector<float>& column = rows_.columns[tree.feature[level]];
+      for (std::size_t i = 0; i < leaf_.size(); ++i)
+        leaf_[i] = static_cast<std::uint8_t>(leaf_[i] | bit_of(tree, level, column[i]));
+    }
     for (std::size_t i = 0; i < leaf_.size(); ++i) log_odds_[i] += tree.value[leaf_[i]];
   }
 
   LegTree grow() {
-    differentiate();
-    std::fill(leaf_.begin(), leaf_.end(), 0);
+    draw_rows();
     LegTree tree;
-    for (int level = 0; level < LegTree::kDepth; ++level) {
-      ask(tree, level);
-      split(tree, level);
-    }
-    const LeafSums sums = sums_of(tree, LegTree::kDepth - 1);
+    LeafSums sums{};
+    for (int level = 0; level < LegTree::kDepth; ++level) sums = ask(tree, level);
     for (int i = 0; i < LegTree::kNumLeaves; ++i) {
-      const double step = sums.slope[i] / (sums.curvature[i] + options_.ridge);
+      const double step = sums[i][0] / (sums[i][1] + options_.ridge);
       tree.value[i] = static_cast<float>(options_.rate * std::clamp(step, -kMaxStep, kMaxStep));
     }
-    for (std::size_t i = 0; i < leaf_.size(); ++i) log_odds_[i] += tree.value[leaf_[i]];
+    follow(tree);
     return tree;
   }
 
  private:
-  // Of the rows that this tree sees; the others have none.
-  void differentiate() {
-    for (std::size_t i = 0; i < log_odds_.size(); ++i) {
+  /// A row that the tree sees.
+  struct Seen {
+    Doubles loss;  ///< slope and curvature
+    int row = 0;
+    unsigned leaf = 0;
+  };
+
+  static unsigned bit_of(const LegTree& tree, int level, float value) {
+    return value > tree.threshold[level] ? 1U << level : 0U;
+  }
+
+  void draw_rows() {
+    seen_.clear();
+    for (int i = 0; i < rows_.size(); ++i) {
+      if (!dice_.chance(options_.share)) continue;
       const double p = 1.0 / (1.0 + std::exp(-log_odds_[i]));
-      const double weight = dice_.chance(options_.share) ? unit_ * rows_.weight[i] : 0.0;
-      slope_[i] = weight * ((rows_.is_leg[i] != 0 ? 1.0 : 0.0) - p);
-      curvature_[i] = weight * std::max(p * (1.0 - p), kMinCurvature);
+      const double weight = unit_ * rows_.weight[i];
+      const double slope = (rows_.is_leg[i] != 0 ? 1.0 : 0.0) - p;
+      seen_.push_back({weight * Doubles{slope, std::max(p * (1.0 - p), kMinCurvature)}, i, 0});
     }
   }
 
-  // Sums with the question of the level; the leaves of the levels before stand in leaf_.
+  // Sums with the question of the level; what those before say stands in seen_.
   LeafSums sums_of(const LegTree& tree, int level) const {
-    LeafSums sums;
+    LeafSums sums{};
     const std::vector<float>& column = rows_.columns[tree.feature[level]];
-    const float threshold = tree.threshold[level];
-    const unsigned mask = (1U << level) - 1U;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      const unsigned leaf = (leaf_[i] & mask) | (column[i] > threshold ? 1U << level : 0U);
-      sums.slope[leaf] += slope_[i];
-      sums.curvature[leaf] += curvature_[i];
-    }
+    for (const Seen& seen : seen_) sums[seen.leaf | bit_of(tree, level, column[seen.row])] += seen.loss;
     return sums;
   }
 
-  void ask(LegTree& tree, int level) {
-    std::array<int, kNumLegFeatures> order{};
-    std::iota(order.begin(), order.end(), 0);
+  // The question of a random threshold that gains most; returns what it parts.
+  LeafSums ask(LegTree& tree, int level) {
     LegTree best = tree;
+    LeafSums best_sums{};
     double best_gain = -1.0;
-    for (int i = 0; i < std::min(options_.num_tries, options_.num_features); ++i) {
-      std::swap(order[i], order[dice_.whole(i, options_.num_features - 1)]);
-      const std::vector<float>& column = rows_.columns[order[i]];
+    for (int feature = 0; feature < options_.num_features; ++feature) {
+      const std::vector<float>& column = rows_.columns[feature];
       const float a = column[dice_.whole(0, rows_.size() - 1)];
       const float b = column[dice_.whole(0, rows_.size() - 1)];
-      tree.feature[level] = static_cast<std::uint8_t>(order[i]);
+      tree.feature[level] = static_cast<std::uint8_t>(feature);
       tree.threshold[level] = a + (b - a) * static_cast<float>(dice_.uniform(0.0, 1.0));
-      const double gain = gain_of(sums_of(tree, level));
+      const LeafSums sums = sums_of(tree, level);
+      const double gain = gain_of(sums);
       if (gain <= best_gain) continue;
       best_gain = gain;
+      best_sums = sums;
       best = tree;
     }
     tree = best;
-  }
-
-  void split(const LegTree& tree, int level) {
     const std::vector<float>& column = rows_.columns[tree.feature[level]];
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      if (column[i] > tree.threshold[level]) leaf_[i] |= static_cast<std::uint8_t>(1U << level);
-    }
+    for (Seen& seen : seen_) seen.leaf |= bit_of(tree, level, column[seen.row]);
+    return best_sums;
   }
 
   double gain_of(const LeafSums& sums) const {
     double gain = 0.0;
-    for (int i = 0; i < LegTree::kNumLeaves; ++i) {
-      gain += sums.slope[i] * sums.slope[i] / (sums.curvature[i] + options_.ridge);
-    }
+    for (const Doubles& sum : sums) gain += sum[0] * sum[0] / (sum[1] + options_.ridge);
     return gain;
   }
 
@@ -120,8 +117,9 @@ class Booster {
   const BoostingOptions& options_;
   sim::WorldDice dice_;
   double unit_ = 1.0;  // makes the mean weight 1
-  std::vector<double> log_odds_, slope_, curvature_;
+  std::vector<double> log_odds_;
   std::vector<std::uint8_t> leaf_;
+  std::vector<Seen> seen_;
 };
 
 }  // namespace

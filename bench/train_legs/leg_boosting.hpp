@@ -24,8 +24,7 @@ struct BoostingOptions {
   int num_trees = 300;                 ///< to grow
   int num_features = kNumLegFeatures;  ///< the first so many are asked for
   double rate = 0.3;                   ///< share of a tree's own best values that is taken
-  int num_tries = kNumLegFeatures;     ///< features of which each level asks the best
-  double share = 0.7;                  ///< of the rows that a tree sees
+  double share = 1.0;                  ///< of the rows that a tree sees
   double ridge = 3.0;                  ///< added to the curvature of every leaf, in rows of mean weight
   std::uint64_t seed = 1;
 };

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "bench/train_legs/leg_boosting.hpp"
@@ -21,7 +22,7 @@ struct LegCorpus {
 };
 
 inline constexpr int kNumTrainingWorlds = 6000;
-inline constexpr int kNumRandomWorlds = 6000;
+inline constexpr int kNumRandomWorlds = 10000;
 inline constexpr int kNumUnseenWorlds = 400;
 inline constexpr int kNumUnseenRandomWorlds = 160;
 
@@ -54,6 +55,9 @@ struct OwnedLegForest {
 /// Trains a forest on all that is not held out; always the same for the same corpus. Uncalibrated and without
 /// checkpoints.
 OwnedLegForest train_legs(const LegCorpus& corpus, const HeldOut& held_out);
+
+/// The same for each of them, several at a time.
+std::vector<OwnedLegForest> train_legs(const LegCorpus& corpus, std::span<const HeldOut> held_out);
 
 /// The forest of the detector: trained on everything, calibrated by forests that had not seen what they were
 /// asked.

@@ -17,54 +17,68 @@ constexpr int kBlock = LegFeatureTable::kBlock;
 static_assert(kBlock == kNumLanes);
 
 constexpr int kBlockStride = kBlock * kNumLegFeatures;  // from one block of the table to the next
-constexpr int kHalf = LegTree::kNumLeaves / 2;
+constexpr std::size_t kStride = kBlock;                 // of an address, that it need not be widened
 
-// The leaf of each candidate of a block: its place in a half of the tree, and whether that is the upper half.
-[[gnu::always_inline]] inline void find_leaves(const LegTree& tree, const float* block, Ints& in_half,
-                                               Ints& is_upper) {
-  constexpr int kTop = LegTree::kDepth - 1;
-  constexpr std::size_t kStride = kBlock;  // of an address, that it need not be widened
+// Whether the features that the tree asks for on a level are above its threshold, of a block's candidates.
+[[gnu::always_inline]] inline void answer(const LegTree& tree, int level, const float* block, Ints& answers) {
   Floats values;
-  in_half = Ints{};
-  for (int level = 0; level < kTop; ++level) {
-    load(block + kStride * tree.feature[level], values);
-    in_half |= (values > tree.threshold[level]) & (1 << level);
+  load(block + kStride * tree.feature[level], values);
+  answers = values > tree.threshold[level];
+}
+
+// The leaf of each candidate of a block as far as the levels below `end` tell.
+[[gnu::always_inline]] inline void find_leaves(const LegTree& tree, int end, const float* block,
+                                               Ints& leaves) {
+  Ints answers;
+  leaves = Ints{};
+  for (int level = 0; level < end; ++level) {
+    answer(tree, level, block, answers);
+    leaves |= answers & (1 << level);
   }
-  load(block + kStride * tree.feature[kTop], values);
-  is_upper = values > tree.threshold[kTop];
 }
 
 // Adds what the trees say of a block's candidates to their sums.
 void add_trees_plain(std::span<const LegTree> trees, const float* block, float* sums) {
-  Ints in_half, is_upper;
+  Ints leaves;
   for (const LegTree& tree : trees) {
-    find_leaves(tree, block, in_half, is_upper);
-    const Ints leaf = in_half | (is_upper & kHalf);
-    for (int lane = 0; lane < kBlock; ++lane) sums[lane] += tree.value[leaf[lane]];
+    find_leaves(tree, LegTree::kDepth, block, leaves);
+    for (int lane = 0; lane < kBlock; ++lane) sums[lane] += tree.value[leaves[lane]];
   }
 }
 
 #if defined(SCANBED_HAS_AVX2)
-static_assert(kHalf == kNumLanes);
+constexpr int kInRegister = 3;  // levels that tell values apart which share a register
+constexpr int kNumRegisters = LegTree::kNumLeaves / kBlock;
+static_assert(1 << kInRegister == kBlock);
 
-// Does so for several blocks at once: what is loaded of a tree serves them all. Either half of a tree's
-// values fills a register, from which each lane picks its own. Which half is chosen by exclusive or of what
-// differs between them, as that takes less than a blend.
+// What the tree says of a block's candidates: each lane picks its own value from every register by the first
+// levels, then the others halve what was picked.
+[[gnu::always_inline]] SCANBED_AVX2 inline __m256 pick_values(const LegTree& tree, const float* block) {
+  Ints in_register, is_upper;
+  find_leaves(tree, kInRegister, block, in_register);
+  const auto index = reinterpret_cast<__m256i>(in_register);
+  __m256 picked[kNumRegisters];
+  for (int i = 0; i < kNumRegisters; ++i) {
+    picked[i] = _mm256_permutevar8x32_ps(_mm256_loadu_ps(tree.value.data() + kStride * i), index);
+  }
+  for (int level = kInRegister; level < LegTree::kDepth; ++level) {
+    answer(tree, level, block, is_upper);
+    const int num_left = 1 << (LegTree::kDepth - 1 - level);
+    for (int i = 0; i < num_left; ++i) {
+      picked[i] = _mm256_blendv_ps(picked[2 * i], picked[2 * i + 1], reinterpret_cast<__m256>(is_upper));
+    }
+  }
+  return picked[0];
+}
+
+// Does so for several blocks at once: what is loaded of a tree serves them all.
 template <int kNumBlocks>
 SCANBED_AVX2 void add_trees_avx2(std::span<const LegTree> trees, const float* blocks, float* sums) {
   __m256 sum[kNumBlocks];
   for (int i = 0; i < kNumBlocks; ++i) sum[i] = _mm256_loadu_ps(sums + i * kBlock);
-  Ints in_half, is_upper;
   for (const LegTree& tree : trees) {
-    const __m256 lower_half = _mm256_loadu_ps(tree.value.data());
-    const __m256 differing = _mm256_xor_ps(lower_half, _mm256_loadu_ps(tree.value.data() + kHalf));
     for (int i = 0; i < kNumBlocks; ++i) {
-      find_leaves(tree, blocks + i * kBlockStride, in_half, is_upper);
-      const auto leaf = reinterpret_cast<__m256i>(in_half);
-      const __m256 lower = _mm256_permutevar8x32_ps(lower_half, leaf);
-      const __m256 change = _mm256_permutevar8x32_ps(differing, leaf);
-      const __m256 value = _mm256_xor_ps(lower, _mm256_and_ps(change, reinterpret_cast<__m256>(is_upper)));
-      sum[i] = _mm256_add_ps(sum[i], value);
+      sum[i] = _mm256_add_ps(sum[i], pick_values(tree, blocks + i * kBlockStride));
     }
   }
   for (int i = 0; i < kNumBlocks; ++i) _mm256_storeu_ps(sums + i * kBlock, sum[i]);

@@ -12,10 +12,10 @@
 
 namespace scanbed {
 
-/// A symmetric tree: four questions, asked of every candidate whatever the answers before, select one of 16
+/// A symmetric tree: five questions, asked of every candidate whatever the answers before, select one of 32
 /// values. Bit i of the value's index says whether feature[i] is greater than threshold[i].
 struct LegTree {
-  static constexpr int kDepth = 4;
+  static constexpr int kDepth = 5;
   static constexpr int kNumLeaves = 1 << kDepth;
 
   std::array<std::uint8_t, kDepth> feature{};  ///< of LegFeature

@@ -43,13 +43,9 @@ LegTrainingRows grid(const IsLeg& is_leg) {
   return rows;
 }
 
-BoostingOptions of_all_features() {
-  return {.num_trees = 200, .num_tries = kNumLegFeatures};
-}
-
 TEST(LegBoostingTest, LearnsWhatOneThresholdTells) {
   const auto is_leg = [](float a, float) { return a > 0.0F; };
-  const std::vector<LegTree> trees = boost(grid(is_leg), of_all_features());
+  const std::vector<LegTree> trees = boost(grid(is_leg), {.num_trees = 200});
   ASSERT_EQ(trees.size(), 200u);
   for (const float a : {-8.0F, -1.5F, 1.5F, 8.0F}) {
     for (const float b : {-5.0F, 5.0F})
@@ -60,7 +56,7 @@ TEST(LegBoostingTest, LearnsWhatOneThresholdTells) {
 // A corner is told by two questions of one tree.
 TEST(LegBoostingTest, LearnsWhatTwoFeaturesTellTogether) {
   const auto is_leg = [](float a, float b) { return a > 0.0F && b > 0.0F; };
-  const std::vector<LegTree> trees = boost(grid(is_leg), of_all_features());
+  const std::vector<LegTree> trees = boost(grid(is_leg), {.num_trees = 200});
   for (const float a : {-6.0F, 6.0F}) {
     for (const float b : {-6.0F, 6.0F}) {
       EXPECT_EQ(sum_of(trees, point(a, b)) > 0.0, is_leg(a, b)) << a << ' ' << b;
