@@ -84,7 +84,11 @@ TEST(LegForestTest, GivesUpWhatFallsBelowACheckpointAndNothingElse) {
 
 TEST(LegForestTest, LaterTreesAskWhatTheFirstThinkOfPartners) {
   constexpr float kNever = 1e9F;
-  std::vector<LegTree> trees(2, LegTree{.threshold = {0.0F, kNever, kNever, kNever}});
+  std::vector<LegTree> trees(2);
+  for (LegTree& tree : trees) {
+    tree.threshold.fill(kNever);
+    tree.threshold[0] = 0.0F;
+  }
   // A candidate by itself is a leg if its first feature is positive, ...
   trees[0].value = {-1.0F, 1.0F};
   // ... and more so if there is another one.
