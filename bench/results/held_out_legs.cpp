@@ -111,12 +111,7 @@ HeldOutLegs measure(const std::filesystem::path& nobody, const Trial& trial,
 std::vector<HeldOutLegs> held_out_legs(const std::filesystem::path& data,
                                        const std::vector<double>& track_scores) {
   const LegCorpus corpus = read_leg_corpus(data);
-  std::vector<HeldOut> held_out;
-  for (const bool first : {true, false}) {
-    for (int part = 0; part < kNumNobodyParts; ++part) {
-      held_out.push_back({.pos1 = first, .pos2 = !first, .nobody_part = part});
-    }
-  }
+  const std::vector<HeldOut> held_out = held_out_in_turn();
   std::vector<OwnedLegForest> forests = train_legs(corpus, held_out);
   // Calibration and early exit as in the detector's forest.
   for (OwnedLegForest& forest : forests) {
@@ -126,10 +121,10 @@ std::vector<HeldOutLegs> held_out_legs(const std::filesystem::path& data,
   std::vector<HeldOutLegs> results;
   for (const bool first : {true, false}) {
     const std::string name = first ? "legs_pos1" : "legs_pos2";
-    const auto begin = forests.begin() + (first ? 0 : kNumNobodyParts);
-    const Trial trial{data / (name + ".log"),
-                      read_leg_labels(data / (name + ".legs.jsonl")),
-                      {begin, begin + kNumNobodyParts}};
+    Trial trial{data / (name + ".log"), read_leg_labels(data / (name + ".legs.jsonl")), {}};
+    for (std::size_t i = 0; i < forests.size(); ++i) {
+      if (held_out[i].pos1 == first) trial.forests.push_back(forests[i]);
+    }
     results.push_back(measure(data / "nobody.log", trial, track_scores));
     // Each part of nobody.log counts once over both recordings.
     const int num_scans = results.back().num_empty_scans;

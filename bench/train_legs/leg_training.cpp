@@ -202,13 +202,18 @@ std::vector<OwnedLegForest> train_legs(const LegCorpus& corpus, std::span<const 
   return forests;
 }
 
-OwnedLegForest train_detector(const LegCorpus& corpus) {
+std::vector<HeldOut> held_out_in_turn() {
   std::vector<HeldOut> held_out;
   for (int part = 0; part < kNumNobodyParts; ++part) {
     for (const bool first : {true, false}) {
       held_out.push_back({.pos1 = first, .pos2 = !first, .nobody_part = part});
     }
   }
+  return held_out;
+}
+
+OwnedLegForest train_detector(const LegCorpus& corpus) {
+  std::vector<HeldOut> held_out = held_out_in_turn();
   held_out.push_back({});
   std::vector<OwnedLegForest> forests = train_legs(corpus, held_out);
   OwnedLegForest forest = std::move(forests.back());

@@ -38,6 +38,9 @@ struct HeldOut {
 
 inline constexpr int kNumNobodyParts = 2;
 
+/// Each recording with people, with each part of the one without: who sees neither can be asked about both.
+std::vector<HeldOut> held_out_in_turn();
+
 /// Which stretch of the recording a candidate of `nobody` belongs to.
 int nobody_part(const LegCorpus& corpus, const LegSample& sample);
 
