@@ -12,7 +12,8 @@ namespace scanbed::bench {
 namespace {
 
 constexpr double kMinCurvature = 1e-4;
-constexpr double kMaxStep = 4.0;  // in log-odds, of one leaf before the rate
+constexpr double kMaxStep = 4.0;      // in log-odds, of one leaf before the rate
+constexpr double kSurelySeen = 0.25;  // slope of a row that every tree sees
 
 /// Slope and curvature of the loss, summed over the rows in each leaf.
 using LeafSums = std::array<Doubles, LegTree::kNumLeaves>;
@@ -67,10 +68,11 @@ class Booster {
   void draw_rows() {
     seen_.clear();
     for (int i = 0; i < rows_.size(); ++i) {
-      if (!dice_.chance(options_.share)) continue;
       const double p = 1.0 / (1.0 + std::exp(-log_odds_[i]));
-      const double weight = unit_ * rows_.weight[i];
       const double slope = (rows_.is_leg[i] != 0 ? 1.0 : 0.0) - p;
+      const double chance = std::clamp(std::abs(slope) / kSurelySeen, options_.least_chance, 1.0);
+      if (!dice_.chance(chance)) continue;
+      const double weight = unit_ * rows_.weight[i] / chance;
       seen_.push_back({weight * Doubles{slope, std::max(p * (1.0 - p), kMinCurvature)}, i, 0});
     }
   }

@@ -21,8 +21,8 @@ struct LegCorpus {
   std::vector<LegSample> unseen;  ///< simulated too; says what may be given up early
 };
 
-inline constexpr int kNumTrainingWorlds = 6000;
-inline constexpr int kNumRandomWorlds = 10000;
+inline constexpr int kNumTrainingWorlds = 12000;
+inline constexpr int kNumRandomWorlds = 30000;
 inline constexpr int kNumUnseenWorlds = 400;
 inline constexpr int kNumUnseenRandomWorlds = 160;
 

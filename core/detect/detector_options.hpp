@@ -98,7 +98,7 @@ inline DetectorOptions robust_options() {
   options.circle.min_length_m = 0.0;
   options.line.min_length_m = 0.2;
   options.leg.scorer = LegScorer::kForest;
-  options.leg.min_score = 0.4;
+  options.leg.min_score = 0.39;
   options.leg.min_doubtful_score = 0.1;
   return options;
 }

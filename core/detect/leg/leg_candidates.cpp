@@ -12,6 +12,7 @@ namespace scanbed {
 namespace {
 
 constexpr std::array<double, LegCandidates::kNumSegmentations> kGaps_m = {0.04, 0.10, 0.16};
+constexpr int kJoined = 1;  ///< the segmentation in which what is too wide holds no leg
 constexpr double kSpacings = 1.5;
 constexpr int kMaxBridgedBeams = 2;
 constexpr double kMaxWidth_m = 0.55;
@@ -167,13 +168,15 @@ void LegCandidateFinder::cut(const LegBeams& beams, double gap_m, LegSegmentatio
 }
 
 // Without a jump, as nothing foretells which runs are candidates; there is room.
-void LegCandidateFinder::add(const LegBeams& beams, const EchoRun& run) {
+void LegCandidateFinder::add(const CutScan& scan, const EchoRun& run) {
+  const LegBeams& beams = scan.beams;
   const double middle_m = (beams.echo_range_m[run.first] + beams.echo_range_m[run.last]) / 2;
   const bool is_run = run.size() >= 2;
   const bool is_narrow = beams.distance_m(run.first, run.last) <= kMaxWidth_m;
+  const bool is_free = scan.joined.width_of((run.first + run.last) / 2) <= kMaxWidth_m;
   const bool is_close = middle_m <= kMaxRange_m;
   found_[num_found_] = run;
-  num_found_ += is_run && is_narrow && is_close ? 1 : 0;
+  num_found_ += is_run && is_narrow && is_free && is_close ? 1 : 0;
 }
 
 // The echo that lies farthest behind the nearest one on either side; -1 if none lies far enough.
@@ -198,33 +201,36 @@ int LegCandidateFinder::deepest_notch(const LegBeams& beams, const EchoRun& run)
 }
 
 // Adds the halves in rising order.
-void LegCandidateFinder::halve(const LegBeams& beams, const EchoRun& run) {
+void LegCandidateFinder::halve(const CutScan& scan, const EchoRun& run) {
   const auto [first, last] = run;
-  const int step = largest_step(beams, run);
-  const int notch = deepest_notch(beams, run);
+  const int step = largest_step(scan.beams, run);
+  const int notch = deepest_notch(scan.beams, run);
   if (notch < 0) {
-    add(beams, {first, step});
-    add(beams, run);
-    add(beams, {step + 1, last});
+    add(scan, {first, step});
+    add(scan, run);
+    add(scan, {step + 1, last});
     return;
   }
   // The echo in the notch may belong to either side or to none.
-  add(beams, {first, std::min(step, notch - 1)});
-  add(beams, {first, std::clamp(step, notch - 1, notch)});
-  add(beams, {first, std::max(step, notch)});
-  add(beams, run);
-  add(beams, {std::min(step + 1, notch), last});
-  add(beams, {std::clamp(step + 1, notch, notch + 1), last});
-  add(beams, {std::max(step + 1, notch + 1), last});
+  add(scan, {first, std::min(step, notch - 1)});
+  add(scan, {first, std::clamp(step, notch - 1, notch)});
+  add(scan, {first, std::max(step, notch)});
+  add(scan, run);
+  add(scan, {std::min(step + 1, notch), last});
+  add(scan, {std::clamp(step + 1, notch, notch + 1), last});
+  add(scan, {std::max(step + 1, notch + 1), last});
 }
 
-void LegCandidateFinder::find_in(const LegBeams& beams, const EchoRun& run, double width_m) {
+void LegCandidateFinder::find_in(const CutScan& scan, const EchoRun& run, double width_m) {
+  const EchoRun& joined = scan.joined.run_of(run.first);
+  const bool is_part_of_wide = joined.last >= run.last && scan.joined.width_of(run.first) > kMaxWidth_m;
+  if (is_part_of_wide) return;
   const bool is_halved =
       run.size() >= kMinHalvedEchoes && width_m >= kMinHalvedWidth_m && width_m <= kMaxHalvedWidth_m;
   if (is_halved) {
-    halve(beams, run);
+    halve(scan, run);
   } else {
-    add(beams, run);
+    add(scan, run);
   }
 }
 
@@ -232,16 +238,18 @@ void LegCandidateFinder::find_in(const LegBeams& beams, const EchoRun& run, doub
 void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) {
   candidates.runs.clear();
   find_gaps(beams);
+  for (int i = 0; i < LegCandidates::kNumSegmentations; ++i)
+    cut(beams, kGaps_m[i], candidates.segmentations[i]);
+  const CutScan scan{beams, candidates.segmentations[kJoined]};
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
-    LegSegmentation& segmentation = candidates.segmentations[i];
-    cut(beams, kGaps_m[i], segmentation);
+    const LegSegmentation& segmentation = candidates.segmentations[i];
     const std::size_t room = kMaxInRun * segmentation.runs.size();
     if (found_.size() < room) found_.resize(room);
     num_found_ = 0;
     for (std::size_t k = 0; k < segmentation.runs.size(); ++k) {
       const EchoRun& run = segmentation.runs[k];
       const bool is_known = i > 0 && candidates.segmentations[i - 1].has(run);
-      if (!is_known) find_in(beams, run, segmentation.width_m[k]);
+      if (!is_known) find_in(scan, run, segmentation.width_m[k]);
     }
     merged_.resize(candidates.runs.size() + num_found_);
     merge(candidates.runs, std::span(found_).first(num_found_), merged_.data());

@@ -25,10 +25,13 @@ struct LegSegmentation {
   std::vector<double> width_m;  ///< of each run, from end to end
   std::vector<int> run_of_echo;
 
-  bool has(const EchoRun& run) const { return runs[run_of_echo[run.first]] == run; }
+  const EchoRun& run_of(int echo) const { return runs[run_of_echo[echo]]; }
+  double width_of(int echo) const { return width_m[run_of_echo[echo]]; }  ///< of the run that holds it
+  bool has(const EchoRun& run) const { return run_of(run.first) == run; }
 };
 
-/// What may be a leg: runs of at least 2 echoes, at most 0.55 m wide and 6 m away.
+/// What may be a leg: runs of at least 2 echoes, at most 0.55 m wide and 6 m away, of which the middle one
+/// lies in a run of the middle segmentation that is no wider than 0.55 m either: a wall's parts are no legs.
 struct LegCandidates {
   static constexpr int kNumSegmentations = 3;
 
@@ -53,12 +56,18 @@ class LegCandidateFinder {
     double excess_m = 0.0;  ///< distance beyond what the beam spacing allows for
   };
 
+  /// The scan at hand, and what of it is joined to what.
+  struct CutScan {
+    const LegBeams& beams;
+    const LegSegmentation& joined;
+  };
+
   void find_gaps(const LegBeams& beams);
   void cut(const LegBeams& beams, double gap_m, LegSegmentation& segmentation) const;
-  void find_in(const LegBeams& beams, const EchoRun& run, double width_m);
-  void halve(const LegBeams& beams, const EchoRun& run);
+  void find_in(const CutScan& scan, const EchoRun& run, double width_m);
+  void halve(const CutScan& scan, const EchoRun& run);
   int deepest_notch(const LegBeams& beams, const EchoRun& run);
-  void add(const LegBeams& beams, const EchoRun& run);
+  void add(const CutScan& scan, const EchoRun& run);
 
   InstructionSet instructions_;
   std::vector<int> suspects_;  ///< echoes that may lie behind a gap, and room

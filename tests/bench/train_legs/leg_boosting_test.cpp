@@ -77,6 +77,23 @@ TEST(LegBoostingTest, WeightsCountLikeRows) {
   EXPECT_NEAR(sum_of(boost(rows, options), point(0.0F, 0.0F)), std::log(3.0), 1e-3);
 }
 
+// Seven of ten are legs on one side, one of ten on the other: likeliest log-odds of log(7/3) and log(1/9),
+// whether a tree sees all rows or few of those that it answers well.
+TEST(LegBoostingTest, RowsThatAreNotSeenAreCountedForByOthers) {
+  LegTrainingRows rows;
+  for (int i = 0; i < 20000; ++i) {
+    const bool right = i % 2 == 0;
+    rows.add(point(right ? 1.0F : -1.0F, 0.0F), i / 2 % 10 < (right ? 7 : 1), 1.0);
+  }
+  for (const double least_chance : {1.0, 0.05}) {
+    const std::vector<LegTree> trees = boost(rows, {.num_trees = 100, .least_chance = least_chance});
+    // Of 9000 rows with slope 0.1 four of ten are seen: a step errs by sqrt(9000 x 0.01 x 1.5) / 900 = 0.013,
+    // and 0.3 of each step are taken: 0.0055 in the end.
+    EXPECT_NEAR(sum_of(trees, point(1.0F, 0.0F)), std::log(7.0 / 3.0), 0.04);
+    EXPECT_NEAR(sum_of(trees, point(-1.0F, 0.0F)), std::log(1.0 / 9.0), 0.04);
+  }
+}
+
 TEST(LegBoostingTest, IsTheSameForTheSameSeed) {
   const LegTrainingRows rows = grid([](float a, float b) { return a + b > 0.0F; });
   BoostingOptions options{.num_trees = 5};

@@ -82,6 +82,19 @@ TEST_F(LegCandidatesTest, SingleEchoesFarThingsAndWideThingsAreNone) {
   EXPECT_TRUE(find(scan).runs.empty());
 }
 
+// Echoes of a narrow thing before a wall. At 3 m the middle segmentation cuts where neighbours lie more than
+// 0.10 m + 1.5 beam spacings of 26 mm apart.
+TEST_F(LegCandidatesTest, PartsOfAWallAreNoneButWhatStandsFreeBeforeIt) {
+  for (const auto& [before_m, is_free] : {std::pair{0.08, false}, {0.18, true}}) {
+    LaserScan scan = empty_scan();
+    for (int i = 130; i < 210; ++i) scan.range_m[i] = 3.0;
+    for (int i = 168; i < 172; ++i) scan.range_m[i] = 3.0 - before_m;
+    find(scan);
+    EXPECT_EQ(has_beams(168, 171), is_free) << before_m;
+    EXPECT_EQ(candidates_.runs.size(), is_free ? 1u : 0u) << before_m;
+  }
+}
+
 TEST_F(LegCandidatesTest, EveryCandidateIsThereOnceInRisingOrder) {
   IdealScene scene;
   scene.wall({4.0, -3.0}, {4.0, 3.0});
