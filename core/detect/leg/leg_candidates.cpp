@@ -12,7 +12,7 @@ namespace scanbed {
 namespace {
 
 constexpr std::array<double, LegCandidates::kNumSegmentations> kGaps_m = {0.04, 0.10, 0.16};
-constexpr int kJoined = 1;  ///< the segmentation in which what is too wide holds no leg
+constexpr int kJoined = 1;  // the segmentation in which what is too wide holds no leg
 constexpr double kSpacings = 1.5;
 constexpr int kMaxBridgedBeams = 2;
 constexpr double kMaxWidth_m = 0.55;

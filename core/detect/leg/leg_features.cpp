@@ -150,8 +150,7 @@ void read_jumps(const LegBeams& beams, const EchoRun& run, const LegFeatureColum
 void read_widths(const LegCandidates& candidates, const EchoRun& run, const LegFeatureColumn& values) {
   constexpr std::array kWidths = {LegFeature::kFineWidth, LegFeature::kMiddleWidth, LegFeature::kCoarseWidth};
   for (int i = 0; i < LegCandidates::kNumSegmentations; ++i) {
-    const LegSegmentation& segmentation = candidates.segmentations[i];
-    const double width_m = segmentation.width_m[segmentation.run_of_echo[(run.first + run.last) / 2]];
+    const double width_m = candidates.segmentations[i].width_of((run.first + run.last) / 2);
     values.at(kWidths[i]) = std::min(static_cast<float>(width_m), kMaxRunWidth_m);
   }
 }
