@@ -27,6 +27,12 @@ void FeatureDetector::set_options(const DetectorOptions& options) {
 
 const Features& FeatureDetector::detect(const LaserScan& scan) {
   features_.clear();
+  detect_unrolled(full_turn_.unroll(scan));
+  full_turn_.roll(features_);
+  return features_;
+}
+
+void FeatureDetector::detect_unrolled(const LaserScan& scan) {
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
   const bool by_rules = options_.leg.scorer == LegScorer::kRules;
   if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
@@ -34,7 +40,6 @@ const Features& FeatureDetector::detect(const LaserScan& scan) {
   if (options_.leg.enabled && !by_rules) detect_legs_by_forest(scan);
   if (options_.line.method == LineMethod::kOff) features_.lines.clear();
   if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
-  return features_;
 }
 
 // The forest asks which circles there are, and knows those of the robust pipeline.
@@ -65,6 +70,7 @@ void FeatureDetector::detect_surfaces(const LaserScan& scan, const DetectorOptio
   const auto rising = [](const auto& a, const auto& b) { return a.beams.first < b.beams.first; };
   std::sort(features.lines.begin(), features.lines.end(), rising);
   std::sort(features.circles.begin(), features.circles.end(), rising);
+  std::sort(features.doubtful_circles.begin(), features.doubtful_circles.end(), rising);
 }
 
 void FeatureDetector::detect_in_segment(const Segment& segment) {

@@ -5,6 +5,7 @@
 
 #include "core/detect/detector_options.hpp"
 #include "core/detect/features.hpp"
+#include "core/detect/full_turn.hpp"
 #include "core/detect/leg/forest_leg_detector.hpp"
 #include "core/detect/leg/leg_forest.hpp"
 #include "core/detect/line_detector.hpp"
@@ -33,10 +34,12 @@ class FeatureDetector {
   void set_options(const DetectorOptions& options);
 
   /// Features of one scan, in its sensor frame; valid until the next call. Beams without echo belong to no
-  /// feature. Any number of beams and any range values are fine.
+  /// feature. Any number of beams and any range values are fine. It does not matter at which of its beams a
+  /// scan all around begins.
   const Features& detect(const LaserScan& scan);
 
  private:
+  void detect_unrolled(const LaserScan& scan);
   void detect_in_segments(const LaserScan& scan);
   void detect_surfaces(const LaserScan& scan, const DetectorOptions& options, Features& features);
   void detect_legs_by_forest(const LaserScan& scan);
@@ -46,6 +49,7 @@ class FeatureDetector {
   DetectorOptions options_;
   const LegForest* leg_forest_;
   PointProjector projector_;
+  FullTurn full_turn_;
   LineDetector line_detector_;
   EchoReader echo_reader_;
   SurfaceParser surface_parser_;

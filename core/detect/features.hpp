@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,20 @@ struct Line {
   int num_points = 0;
   double error_m = 0.0;  ///< largest distance of a point to the line
   double score = 0.0;    ///< [0, 1]
+
+  /// Sets slope and bias to those of the line through a point along a unit direction. Where that runs along y
+  /// so nearly that a slope says nothing, both stay empty.
+  void set_equation(const Eigen::Vector2d& p_m, const Eigen::Vector2d& along);
 };
+
+inline void Line::set_equation(const Eigen::Vector2d& p_m, const Eigen::Vector2d& along) {
+  constexpr double kMinCosine = 1e-6;
+  slope.reset();
+  bias_m.reset();
+  if (std::abs(along.x()) <= kMinCosine) return;
+  slope = along.y() / along.x();
+  bias_m = p_m.y() - *slope * p_m.x();
+}
 
 /// Table I, column Circle; sensor frame S.
 struct Circle {

@@ -9,9 +9,6 @@
 namespace scanbed {
 namespace {
 
-// Below this the line runs along y so nearly that its slope says nothing.
-constexpr double kMinCosine = 1e-6;
-
 int farthest_from_chord(const Points& points, const Segment& run) {
   const Chord chord = chord_of(points, run);
   int farthest = run.first + 1;
@@ -32,10 +29,7 @@ Line line_of(const Points& points, const Segment& run, const LineFit& fit) {
   line.beams = {points.beam[run.first], points.beam[run.last]};
   line.left_m = fit.foot_of(points[run.first]);
   line.right_m = fit.foot_of(points[run.last]);
-  if (std::abs(fit.direction.x()) > kMinCosine) {
-    line.slope = fit.direction.y() / fit.direction.x();
-    line.bias_m = fit.centroid_m.y() - *line.slope * fit.centroid_m.x();
-  }
+  line.set_equation(fit.centroid_m, fit.direction);
   line.num_points = run.num_points();
   return line;
 }

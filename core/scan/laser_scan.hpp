@@ -34,13 +34,13 @@ struct LaserScan {
   double time_s = 0.0;     ///< of the first beam, on the source's clock
   ScanGeometry geometry;   ///< of this scan; a recording may change it from scan to scan
   std::vector<double>
-      range_m;  ///< geometry.num_beams of them; kNoEcho, kTooClose or kInvalid where there is none
+      range_m;  ///< geometry.num_beams of them, > 0; kNoEcho, kTooClose or kInvalid where there is none
   std::optional<Pose2> X_OR;  ///< robot in the odometry frame, where the source knows it
   std::string source;         ///< which laser, where the source has several ("FLASER"); else empty
   SensorHealth health;        ///< as far as the source tells; fine by default
 
   int num_beams() const { return static_cast<int>(range_m.size()); }
-  bool has_echo(int beam) const { return std::isfinite(range_m[beam]); }
+  bool has_echo(int beam) const { return range_m[beam] > 0.0 && std::isfinite(range_m[beam]); }
 };
 
 }  // namespace scanbed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "core/geometry/angles.hpp"
@@ -32,6 +33,14 @@ struct ScanGeometry {
   BeamTiming timing;
 
   double bearing_rad(int beam) const { return first_rad + beam * step_rad; }
+
+  /// Which beam points to a bearing, and where between two: the first at or behind -0.5, within a full turn.
+  /// Not a number where the angles say nothing.
+  double beam_towards(double bearing_rad) const {
+    const double turn = 2.0 * kPi / std::abs(step_rad);
+    const double beam = (bearing_rad - first_rad) / step_rad;
+    return beam - turn * std::floor((beam + 0.5) / turn);
+  }
 
   friend bool operator==(const ScanGeometry& a, const ScanGeometry& b) {
     return a.num_beams == b.num_beams && a.first_rad == b.first_rad && a.step_rad == b.step_rad;

@@ -11,6 +11,11 @@ constexpr double kReferenceDistance_m = 0.3;
 constexpr double kReferenceTurn_rad = 0.2;
 constexpr double kReferenceRatio = 0.75;  // explained by the reference: with less, it is time for a new one
 constexpr double kDoubtfulRatio = 0.6;
+constexpr double kMaxStep_m = 1000.0;  // of odometry from scan to scan: beyond is a fault
+
+bool is_finite(const Pose2& pose) {
+  return pose.p_m.allFinite() && std::isfinite(pose.theta_rad);
+}
 
 Pose2 scaled(const Pose2& step, double factor) {
   return {factor * step.p_m, factor * step.theta_rad};
@@ -18,11 +23,14 @@ Pose2 scaled(const Pose2& step, double factor) {
 
 }  // namespace
 
-// Motion of the robot since the last scan, by its odometry; none where it has none.
+// Motion of the robot since the last scan, by its odometry; none where it has none, or where it says what
+// cannot be.
 Pose2 EgoMotion::odometry_step(const LaserScan& scan) {
+  if (scan.X_OR && !is_finite(*scan.X_OR)) return {};
   Pose2 step;
   if (scan.X_OR && last_X_OR_) step = last_X_OR_->inverse() * *scan.X_OR;
   last_X_OR_ = scan.X_OR;
+  if (!is_finite(step) || step.p_m.norm() > kMaxStep_m) return {};
   // A field that always holds the same pose is what recordings without odometry have.
   if (step.p_m.norm() > 1e-6 || std::abs(step.theta_rad) > 1e-6) odometry_moves_ = true;
   return step;

@@ -118,11 +118,9 @@ void ScanMatcher::find_normals() {
 
 // The beam of A that points there, or one past the last.
 int ScanMatcher::beam_of(const Eigen::Vector2d& p_AP) const {
-  const double from_first_rad = std::atan2(p_AP.y(), p_AP.x()) - geometry_.first_rad;
-  const double turn = 2.0 * kPi / std::abs(geometry_.step_rad);
-  const double beam = from_first_rad / geometry_.step_rad;
-  const double wrapped = beam - turn * std::floor((beam + 0.5) / turn);
-  return static_cast<int>(std::min(wrapped + 0.5, static_cast<double>(geometry_.num_beams)));
+  const double beam = geometry_.beam_towards(std::atan2(p_AP.y(), p_AP.x())) + 0.5;
+  const bool is_in_view = beam >= 0.0 && beam < geometry_.num_beams;  // neither holds of what is no number
+  return is_in_view ? static_cast<int>(beam) : geometry_.num_beams;
 }
 
 int ScanMatcher::place_of(const Eigen::Vector2d& p_AP) const {

@@ -12,13 +12,12 @@ namespace {
 
 // The scan's beams within an angle to either side of the way to p; none where last < first.
 BeamSpan beams_towards(const LaserScan& scan, const Eigen::Vector2d& p_m, double half_width_rad) {
-  const double step_rad = scan.geometry.step_rad;
-  const double turn = 2.0 * kPi / std::abs(step_rad);
-  const double unwrapped = (std::atan2(p_m.y(), p_m.x()) - scan.geometry.first_rad) / step_rad;
-  const double middle = unwrapped - turn * std::floor((unwrapped + 0.5) / turn);
-  const double half_width = half_width_rad / std::abs(step_rad);
-  return {static_cast<int>(std::max(0.0, std::round(middle - half_width))),
-          static_cast<int>(std::min(scan.num_beams() - 1.0, std::round(middle + half_width)))};
+  const double middle = scan.geometry.beam_towards(std::atan2(p_m.y(), p_m.x()));
+  if (!std::isfinite(middle)) return {0, -1};
+  const double half_width = half_width_rad / std::abs(scan.geometry.step_rad);
+  // Of steps that are next to nothing the numbers of beams are beyond any integer.
+  return {static_cast<int>(std::clamp(std::round(middle - half_width), 0.0, 1.0 * scan.num_beams())),
+          static_cast<int>(std::clamp(std::round(middle + half_width), -1.0, scan.num_beams() - 1.0))};
 }
 
 // From inside the disc, or with a scan without beams, there is nothing to see of it.

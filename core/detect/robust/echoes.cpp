@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/simd/double_lanes.hpp"
 
@@ -42,8 +41,9 @@ struct EchoWriter {
   double* y_m;
 };
 
-// A range of 0 has no direction to fit anything to.
-constexpr double kMaxRange_m = std::numeric_limits<double>::max();
+// A range of 0 has no direction to fit anything to. Sums over the scan hold fourth powers of ranges
+// (RayLineSums): one that is far beyond any sensor's reach would drown all the others.
+constexpr double kMaxRange_m = 300.0;
 
 // Reads the beams from the given one on; returns how many echoes there are then.
 int project(const EchoWriter& to, int first_beam, int num_beams, int num_echoes) {
@@ -85,7 +85,7 @@ int project(InstructionSet set, const EchoWriter& to, int num_beams) {
   return project(to, 0, num_beams, 0);
 }
 
-// Beams without echo are far from their neighbours, or no number: no smooth run holds them.
+// Beams without echo are far from their neighbours, no number, or not positive: no smooth run holds them.
 [[gnu::always_inline]] inline void sort_into_bins_in(const double* r, int num_bins, int* bins) {
   for (int k = 0; k < num_bins; ++k) {
     // By steps, which do not overflow where ranges would.
@@ -93,7 +93,8 @@ int project(InstructionSet set, const EchoWriter& to, int num_beams) {
     const double b = r[k + 2] - r[k + 1];
     const double c = r[k + 3] - r[k + 2];
     const double bin = std::min(std::abs(c - 2.0 * b + a) * (1.0 / kBin_m), NoiseHistogram::kNumBins - 1.0);
-    const bool is_smooth = std::abs(c) + std::abs(b) + std::abs(a) <= kSmoothStep_m;
+    const bool is_smooth =
+        std::abs(c) + std::abs(b) + std::abs(a) <= kSmoothStep_m && r[k] > 0.0 && r[k] < kMaxRange_m;
     bins[k] = static_cast<int>(is_smooth ? bin : NoiseHistogram::kNoBin);
   }
 }

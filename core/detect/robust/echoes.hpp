@@ -57,7 +57,8 @@ class NoiseHistogram {
   int num_counted_ = 0;
 };
 
-/// Fills `echoes` from a scan: points, the scan's own range noise, and the error of each range.
+/// Fills `echoes` from a scan: points, the scan's own range noise, and the error of each range. What is 300 m
+/// away or farther is no echo.
 ///
 /// Range noise is estimated from third differences of range along smooth runs. At grazing incidence a small
 /// error of direction is a large error of range: sigma grows with the step to the neighbours where both point

@@ -9,8 +9,6 @@
 namespace scanbed {
 namespace {
 
-// Below this a line runs along y so nearly that its slope says nothing.
-constexpr double kMinCosine = 1e-6;
 // Directions that are known so well need no care.
 constexpr double kSureDirection_rad = radians(1.0);
 // Chi squared by which an echo at the end of a piece is beyond a corner rather than on its wall: some 2.5
@@ -72,10 +70,7 @@ Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& invers
   line.beams = {echoes.beam[first], echoes.beam[last]};
   line.left_m = foot_m(first);
   line.right_m = foot_m(last);
-  if (std::abs(normal.y()) > kMinCosine) {
-    line.slope = -normal.x() / normal.y();
-    line.bias_m = distance_m / normal.y();
-  }
+  line.set_equation(line.left_m, {-normal.y(), normal.x()});
   line.num_points = places.size();
   line.error_m = largest_error_m(echoes, places, normal, distance_m);
   line.score = 1.0 - 2.0 / line.num_points;

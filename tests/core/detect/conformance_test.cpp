@@ -5,9 +5,11 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/detect/feature_detector.hpp"
 #include "core/detect/presets.hpp"
@@ -47,8 +49,22 @@ class ConformanceTest : public ::testing::TestWithParam<std::string> {
 
 using Transform = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
+// One behind the other by their first beams; read from the other side, by their last. Those of a column that
+// something nearer cuts in two lie on both sides of that.
+Features by_last_beam(Features features) {
+  const auto sort = [](auto& list) {
+    std::sort(list.begin(), list.end(),
+              [](const auto& a, const auto& b) { return a.beams.last < b.beams.last; });
+  };
+  sort(features.lines);
+  sort(features.circles);
+  sort(features.legs);
+  return features;
+}
+
 // Features in the order of their beams against those of another scan, `turned` from one frame into the other.
-void expect_same(const Features& plain, const Features& other, const Transform& turned, bool is_reversed) {
+void expect_same(const Features& plain, const Features& as_found, const Transform& turned, bool is_reversed) {
+  const Features other = is_reversed ? by_last_beam(as_found) : as_found;
   ASSERT_EQ(plain.lines.size(), other.lines.size());
   ASSERT_EQ(plain.circles.size(), other.circles.size());
   ASSERT_EQ(plain.legs.size(), other.legs.size());
@@ -96,12 +112,14 @@ TEST_P(ConformanceTest, ATurnedScanGivesTurnedFeatures) {
 }
 
 TEST_P(ConformanceTest, AMirroredScanGivesMirroredFeatures) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    LaserScan scan = room(seed);
-    const Features plain = detect(scan);
-    std::reverse(scan.range_m.begin(), scan.range_m.end());
-    expect_same(
-        plain, detect(scan), [](const Eigen::Vector2d& p) { return Eigen::Vector2d(p.x(), -p.y()); }, true);
+  for (const int num_beams : {361, 721}) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      LaserScan scan = room(seed, {.num_beams = num_beams, .step_rad = kPi / (num_beams - 1)});
+      const Features plain = detect(scan);
+      std::reverse(scan.range_m.begin(), scan.range_m.end());
+      expect_same(
+          plain, detect(scan), [](const Eigen::Vector2d& p) { return Eigen::Vector2d(p.x(), -p.y()); }, true);
+    }
   }
 }
 
@@ -117,12 +135,14 @@ TEST_P(ConformanceTest, ASensorThatTurnsClockwiseFindsTheSame) {
   }
 }
 
+// What some drivers write for no echo is a number.
 TEST_P(ConformanceTest, BeamsWithoutEchoAtTheEndsShiftFeaturesAlone) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
+  for (const auto& [seed, no_echo_m] :
+       {std::pair{0u, kInvalid}, {1u, kNoEcho}, {2u, kTooClose}, {3u, 0.0}, {4u, -1.0}, {5u, 65.535e3}}) {
     LaserScan scan = room(seed);
     const Features plain = detect(scan);
-    constexpr int kNumMore = 40;
-    scan.range_m.insert(scan.range_m.begin(), kNumMore, kInvalid);
+    constexpr int kNumMore = 90;
+    scan.range_m.insert(scan.range_m.begin(), kNumMore, no_echo_m);
     scan.geometry.first_rad -= kNumMore * scan.geometry.step_rad;
     scan.geometry.num_beams += kNumMore;
     const Features shifted = detect(scan);
@@ -134,13 +154,35 @@ TEST_P(ConformanceTest, BeamsWithoutEchoAtTheEndsShiftFeaturesAlone) {
   }
 }
 
-TEST_P(ConformanceTest, AFullTurnIsTakenToo) {
-  ScanGeometry geometry;
-  geometry.num_beams = 720;
-  geometry.first_rad = -kPi;
-  const Features features = detect(room(3, geometry));
-  EXPECT_GE(features.lines.size(), 3u);
-  EXPECT_GE(features.circles.size(), 1u);
+// The same beams, and where the sensor has it the first one again behind the last.
+TEST_P(ConformanceTest, AFullTurnIsTheSameWhereverItBegins) {
+  const auto in_order_of_bearing = [](Features features) {
+    const auto rising = [](const auto& p, const auto& q) {
+      return std::atan2(p.y(), p.x()) < std::atan2(q.y(), q.x());
+    };
+    std::sort(features.lines.begin(), features.lines.end(),
+              [&](const Line& a, const Line& b) { return rising(a.left_m, b.left_m); });
+    std::sort(features.circles.begin(), features.circles.end(),
+              [&](const Circle& a, const Circle& b) { return rising(a.center_m, b.center_m); });
+    std::sort(features.legs.begin(), features.legs.end(),
+              [&](const Leg& a, const Leg& b) { return rising(a.middle_m, b.middle_m); });
+    return features;
+  };
+  for (const int num_repeated : {0, 1}) {
+    const LaserScan scan = room(3, {.num_beams = 720, .first_rad = -kPi});
+    const Features plain = in_order_of_bearing(detect(scan));
+    ASSERT_GE(plain.lines.size(), 3u);
+    ASSERT_GE(plain.circles.size(), 1u);
+    for (int first = 0; first < 720; first += 7) {
+      LaserScan other = scan;
+      std::rotate(other.range_m.begin(), other.range_m.begin() + first, other.range_m.end());
+      other.range_m.insert(other.range_m.end(), num_repeated, other.range_m.front());
+      other.geometry.num_beams += num_repeated;
+      other.geometry.first_rad = scan.geometry.bearing_rad(first);
+      expect_same(
+          plain, in_order_of_bearing(detect(other)), [](const Eigen::Vector2d& p) { return p; }, false);
+    }
+  }
 }
 
 TEST_P(ConformanceTest, FewBeamsAndEqualPointsGiveNothing) {

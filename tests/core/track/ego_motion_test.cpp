@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -50,6 +52,23 @@ TEST(EgoMotionTest, OdometryAloneIsTakenAsItIs) {
     ego.update(scan);
   }
   EXPECT_NEAR((ego.pose().p_m - Eigen::Vector2d(1.0, 0.0)).norm(), 0.0, 1e-12);
+}
+
+// Of a drive at 0.1 m a scan one pose is no number, and one is where no robot gets to.
+TEST(EgoMotionTest, OdometryThatCannotBeIsLeftOut) {
+  for (const double fault_m : {std::numeric_limits<double>::quiet_NaN(), 1.7e308, -1.7e308, 1e5}) {
+    for (const MotionSource source : {MotionSource::kOdometry, MotionSource::kAuto}) {
+      EgoMotion ego(source);
+      for (int i = 0; i <= 10; ++i) {
+        LaserScan scan = scan_from({{0.1 * i, 0.0}, 0.0}, 0.1 * i);
+        scan.X_OR = Pose2{{i == 5 ? fault_m : 0.1 * i, 0.0}, 0.0};
+        ego.update(scan);
+      }
+      // The way to the fault and the way back from it, where it is a number.
+      const double lost_m = source == MotionSource::kOdometry && std::isfinite(fault_m) ? 0.2 : 0.0;
+      EXPECT_NEAR(ego.pose().p_m.x(), 1.0 - lost_m, 0.02) << fault_m;
+    }
+  }
 }
 
 TEST(EgoMotionTest, OdometryStandsInWhereScansSayNothing) {

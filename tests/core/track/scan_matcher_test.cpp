@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "tests/support/ideal_scene.hpp"
@@ -59,6 +61,21 @@ TEST(ScanMatcherTest, RecoversKnownMotions) {
     EXPECT_TRUE(found.is_trusted);
     EXPECT_NEAR((found.X_AB.p_m - X_AB.p_m).norm(), 0.0, kNoiseLeft_m) << X_AB.p_m.transpose();
     EXPECT_NEAR(wrap_to_pi(found.X_AB.theta_rad - X_AB.theta_rad), 0.0, kNoiseLeft_rad) << X_AB.theta_rad;
+  }
+}
+
+// Angles that a wrong header may claim, and motions that cannot be: nothing is read beyond the scan, and what
+// stood still is found all the same.
+TEST(ScanMatcherTest, AnglesAndMotionsThatSayNothingDoNoHarm) {
+  const LaserScan a = scan_from({}, 0.005, 1);
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for (const double step_rad : {0.0, 1e-12, 1e-308, HUGE_VAL, not_a_number}) {
+    LaserScan wrong = a;
+    wrong.geometry.step_rad = step_rad;
+    EXPECT_FALSE(match(wrong, a, {}).is_trusted) << step_rad;
+  }
+  for (const double x_m : {1e300, HUGE_VAL, not_a_number}) {
+    EXPECT_NEAR(match(a, a, {{x_m, 0.0}, 0.0}).X_AB.p_m.norm(), 0.0, kNoiseLeft_m) << x_m;
   }
 }
 

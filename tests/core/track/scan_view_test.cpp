@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -47,6 +50,20 @@ TEST(ScanViewTest, CountsEchoesNearAPlace) {
   EXPECT_EQ(num_echoes_near(scan, {2.0, 0.6}, 0.4), 0);
   EXPECT_EQ(num_echoes_near(scan, {0.1, 0.0}, 0.4), 0);
   EXPECT_EQ(num_echoes_near(LaserScan{.geometry = {.num_beams = 0}}, {2.0, 0.0}, 0.4), 0);
+}
+
+// Steps that a wrong header may claim: no beam points there, and nothing is read beyond the scan.
+TEST(ScanViewTest, StepsThatSayNothingShowNothing) {
+  LaserScan scan = hall_with_column();
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for (const double step_rad : {0.0, 1e-12, -1e-12, 1e-200, 1e-308, HUGE_VAL, not_a_number}) {
+    scan.geometry.step_rad = step_rad;
+    EXPECT_EQ(view_of(scan, {3.0, 0.0}, 0.3), PlaceView::kOutOfView) << step_rad;
+    EXPECT_EQ(num_echoes_near(scan, {3.0, 0.0}, 0.3), 0) << step_rad;
+  }
+  scan.geometry.step_rad = kPi / 360;
+  scan.geometry.first_rad = not_a_number;
+  EXPECT_EQ(view_of(scan, {3.0, 0.0}, 0.3), PlaceView::kOutOfView);
 }
 
 TEST(ScanViewTest, FollowsAClockwiseAndAFullTurn) {
