@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "hw/recording/byte_sink.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <array>
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
 #include "core/errors/ensure.hpp"
 
 namespace scanbed::hw {
 namespace {
-
-constexpr mode_t kReadableByAll = 0644;
-
-bool is_special(const std::filesystem::path& path) {
-  struct stat status = {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-}
 
 class GzipSink final : public ByteSink {
  public:
@@ -72,49 +62,24 @@ class GzipSink final : public ByteSink {
 
 }  // namespace
 
-FileSink::FileSink(const std::filesystem::path& path) : path_(path) {
-  if (!is_special(path_)) {
-    part_ = path_;
-    part_ += ".part";
-  }
-  const std::filesystem::path& name = part_.empty() ? path_ : part_;
-  const int truncation = part_.empty() ? 0 : O_TRUNC | O_CREAT;
-  descriptor_ = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | truncation, kReadableByAll);
-  if (descriptor_ < 0) fail(errno);
-}
-
-FileSink::~FileSink() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-void FileSink::fail(int error) const {
-  throw WriteFault(path_.string() + ": cannot be written: " + std::generic_category().message(error));
-}
-
 void FileSink::append(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t num_written = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t num_written = ::write(file_.descriptor(), bytes.data(), bytes.size());
     if (num_written < 0 && errno == EINTR) continue;
-    if (num_written < 0) fail(errno);
+    if (num_written < 0) file_.fail(errno);
     bytes.remove_prefix(static_cast<std::size_t>(num_written));
   }
 }
 
 void FileSink::overwrite(std::uint64_t offset, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t num_written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    const ssize_t num_written =
+        ::pwrite(file_.descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (num_written < 0 && errno == EINTR) continue;
-    if (num_written < 0) fail(errno);
+    if (num_written < 0) file_.fail(errno);
     bytes.remove_prefix(static_cast<std::size_t>(num_written));
     offset += static_cast<std::uint64_t>(num_written);
   }
-}
-
-void FileSink::finish() {
-  // Some file systems tell of a full disk only now.
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
-  if (part_.empty()) return;
-  if (::rename(part_.c_str(), path_.c_str()) != 0) fail(errno);
 }
 
 std::unique_ptr<ByteSink> pack_gzip(std::unique_ptr<ByteSink> packed) {

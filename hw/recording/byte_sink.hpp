@@ -4,18 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 
-namespace scanbed::hw {
+#include "hw/recording/new_file.hpp"
 
-/// A recording that could not be written: a full disk, a folder that is not there. The message names the
-/// file.
-class WriteFault : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace scanbed::hw {
 
 /// Bytes that are written once, front to back.
 class ByteSink {
@@ -33,31 +26,25 @@ class ByteSink {
   virtual void finish() = 0;
 };
 
-/// A file that grows as `PATH.part` and is renamed to PATH when it is finished: PATH is never half a
-/// recording, an older one stays until the new one is whole, and what a killed program leaves says so by its
-/// name. What is there and no regular file (a pipe, a terminal) is written directly.
+/// A file that grows as `PATH.part` and gets its name when it is finished; see NewFile. What a killed program
+/// leaves says so by its name.
 class FileSink final : public ByteSink {
  public:
-  /// @throws WriteFault where the file cannot be made.
-  explicit FileSink(const std::filesystem::path& path);
-  ~FileSink() override;
+  /// @throws WriteFault where the file cannot be made, or another sink is writing it.
+  explicit FileSink(const std::filesystem::path& path) : file_(path, NewFile::Unfinished::kKept) {}
 
   void append(std::string_view bytes) override;
-  void finish() override;
+  void finish() override { file_.finish(); }
 
   /// Writes over bytes that were appended before.
   void overwrite(std::uint64_t offset, std::string_view bytes);
 
   /// Whether overwrite() can work: not for a pipe.
-  bool is_regular() const { return !part_.empty(); }
-  const std::filesystem::path& path() const { return path_; }
+  bool is_regular() const { return file_.is_regular(); }
+  const std::filesystem::path& path() const { return file_.path(); }
 
  private:
-  [[noreturn]] void fail(int error) const;
-
-  std::filesystem::path path_;
-  std::filesystem::path part_;  // empty: written directly
-  int descriptor_ = -1;
+  NewFile file_;
 };
 
 /// Packs what passes through as gzip; what was appended can be unpacked even if the end never comes.

@@ -3,28 +3,24 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "hw/recording/new_file.hpp"
 
 namespace scanbed::scenarios {
 
 /// A result that could not be written: a full disk, a folder that is not there.
-class OutputFault : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using OutputFault = hw::WriteFault;
 
-/// Where results go: standard output, or a file that appears under its name only when it is complete.
+/// Where results go: standard output, or a file that appears under its name only when it is complete (see
+/// hw::NewFile).
 class Output {
  public:
-  /// @param path  empty or "-" is standard output. A file is written under a temporary name beside it; what
-  ///              is no regular file (a device, a pipe) is written directly.
+  /// @param path  empty or "-" is standard output.
   /// @throws OutputFault where it cannot be made.
   explicit Output(const std::optional<std::filesystem::path>& path);
 
-  /// Drops what was not committed, and the temporary file.
-  ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
@@ -32,16 +28,15 @@ class Output {
   /// @throws OutputFault where writing fails otherwise.
   bool write(std::string_view text);
 
-  /// Writes what is left and gives the file its name. Same results as write().
+  /// Writes what is left and gives the file its name; without it, nothing is left of a file. Same results as
+  /// write().
   bool commit();
 
  private:
   bool flush();
-  void open_file();
   [[noreturn]] void fail(int error) const;
 
-  std::filesystem::path path_;       // empty: standard output
-  std::filesystem::path temporary_;  // empty: none
+  std::optional<hw::NewFile> file_;  // empty: standard output
   int descriptor_;
   bool is_buffered_ = false;  // a file; pipes and terminals get each write at once
   bool reader_gone_ = false;

@@ -127,8 +127,8 @@ ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, 
   sim::ScenePainter painter(sensor->world(), command.picture);
   const sim::Image image =
       painter.paint(sensor->state(), scan, features, caption(scenario, scan), sensor->truth());
-  sim::write_png(image, *command.out);
-  write_whole(std::nullopt, "picture: " + command.out->string() + "\n");
+  write_whole(command.out, sim::png_of(image));
+  if (*command.out != "-") write_whole(std::nullopt, "picture: " + command.out->string() + "\n");
   return kExitFine;
 }
 
@@ -238,7 +238,7 @@ Usage render_usage() {
       one_scenario(texts->scenarios),
       {"--at", "T", "Seconds from the start", &texts->at},
       {"--view", "VIEW", "top, camera or laser", &texts->view},
-      {"-o,--out", "FILE", "PNG file", &texts->out},
+      {"-o,--out", "FILE", "PNG file; - is standard output", &texts->out},
       {"--gif", "FILE", "Film, needs ffmpeg", &texts->gif},
       {"--mp4", "FILE", "Film, needs ffmpeg", &texts->mp4},
       {"--from", "T", "Start of a film", &texts->from},

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -71,16 +70,15 @@ pid_t spawn(std::vector<std::string> words, int child_end) {
 
 }  // namespace
 
-VideoFile::VideoFile(std::filesystem::path path, const VideoOptions& options)
-    : path_(std::move(path)), temporary_(path_), options_(options) {
-  temporary_ += fmt::format(".{}.part", ::getpid());
+VideoFile::VideoFile(const std::filesystem::path& path, const VideoOptions& options)
+    : file_(path, hw::NewFile::Unfinished::kRemoved), options_(options) {
   // A socket in place of a pipe: writing to it can be told to raise no SIGPIPE.
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw OutputFault(fmt::format("ffmpeg: no pipe to it: {}", std::strerror(errno)));
   }
   try {
-    process_ = spawn(arguments(options_, temporary_.string()), ends[1]);
+    process_ = spawn(arguments(options_, file_.growing().string()), ends[1]);
   } catch (...) {
     ::close(ends[0]);
     ::close(ends[1]);
@@ -95,12 +93,10 @@ VideoFile::~VideoFile() {
   if (process_ < 0) return;
   ::kill(process_, SIGTERM);
   wait();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
 }
 
 void VideoFile::fail() const {
-  throw OutputFault(fmt::format("{}: ffmpeg could not write it", path_.string()));
+  throw OutputFault(fmt::format("{}: ffmpeg could not write it", file_.path().string()));
 }
 
 void VideoFile::write(const sim::Image& image) {
@@ -125,13 +121,8 @@ int VideoFile::wait() {
 void VideoFile::finish() {
   ::close(std::exchange(pipe_, -1));
   const int status = wait();
-  std::error_code error;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    std::filesystem::remove(temporary_, error);
-    fail();
-  }
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw OutputFault(fmt::format("{}: {}", path_.string(), error.message()));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
+  file_.finish();
 }
 
 }  // namespace scanbed::scenarios

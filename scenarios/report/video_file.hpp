@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "hw/recording/new_file.hpp"
 #include "sim/render/scene_picture.hpp"
 
 namespace scanbed::scenarios {
@@ -20,11 +21,12 @@ struct VideoOptions {
 };
 
 /// A film, written by a child process ffmpeg that takes the pictures from a pipe. It appears under its name
-/// only when it is complete.
+/// only when it is complete (see hw::NewFile).
 class VideoFile {
  public:
-  /// @throws OutputFault where ffmpeg cannot be started: it says which package has it.
-  VideoFile(std::filesystem::path path, const VideoOptions& options);
+  /// @throws OutputFault where the file cannot be made, or ffmpeg cannot be started: it says which package
+  ///         has it.
+  VideoFile(const std::filesystem::path& path, const VideoOptions& options);
 
   /// Without finish(): ends ffmpeg, and removes what it wrote.
   ~VideoFile();
@@ -41,8 +43,7 @@ class VideoFile {
   [[noreturn]] void fail() const;
   int wait();
 
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  hw::NewFile file_;
   VideoOptions options_;
   int pipe_ = -1;
   pid_t process_ = -1;

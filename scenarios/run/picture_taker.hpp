@@ -33,7 +33,7 @@ class PictureTaker {
   ~PictureTaker();
 
   /// Paints the pictures that fall to this scan. Builds the three-dimensional scene at the first.
-  /// @throws InputError, SensorFault as ScenePainter and write_png do.
+  /// @throws InputError, SensorFault as ScenePainter does; OutputFault where a picture cannot be written.
   void see(const LaserScan& scan, const Features& features);
 
   /// Files written so far: "<folder>/<scenario>_<view>_<time>s.png".

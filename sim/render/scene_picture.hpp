@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -65,8 +64,7 @@ class ScenePainter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Writes to a temporary name beside `path`, then renames. @throws InputError where the file cannot be
-/// written.
-void write_png(const Image& image, const std::filesystem::path& path);
+/// The bytes of a PNG file.
+std::string png_of(const Image& image);
 
 }  // namespace scanbed::sim

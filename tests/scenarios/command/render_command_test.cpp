@@ -95,10 +95,35 @@ TEST(RenderTest, RefusesMomentsOutsideTheScenario) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST(RenderTest, CallsAFolderThatIsNotThereAFault) {
-  const Outcome outcome = run_program({"render", "static_hallway", "-o", "/nowhere/a.png"});
-  EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_NE(outcome.err.find("/nowhere"), std::string::npos);
+TEST(RenderTest, CallsWhatCannotBeWrittenAFault) {
+  const testing::TemporaryFolder folder;
+  for (const std::string& file : {std::string("/nowhere/a.png"), folder.path().string(),
+                                  std::string("/dev/full"), std::string("/proc/self/a.png")}) {
+    const Outcome outcome = run_program({"render", "static_hallway", "--size", "160x120", "-o", file});
+    EXPECT_EQ(outcome.exit_code, 3) << file;
+    EXPECT_NE(outcome.err.find(file + ": "), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("needs a directory"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(RenderTest, WritesThroughALinkAndIntoADevice) {
+  const testing::TemporaryFolder folder;
+  testing::write_file(folder / "hall.png", "old");
+  std::filesystem::create_symlink("hall.png", folder / "link.png");
+  const Outcome linked =
+      run_program({"render", "static_hallway", "--size", "160x120", "-o", (folder / "link.png").string()});
+  EXPECT_EQ(linked.exit_code, 0) << linked.err;
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+  EXPECT_EQ(size_of(testing::read_file(folder / "hall.png")), std::pair(160, 120));
+  EXPECT_EQ(run_program({"render", "static_hallway", "--size", "160x120", "-o", "/dev/null"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(RenderTest, WritesThePictureAloneToStandardOutput) {
+  const Outcome outcome = run_program({"render", "static_hallway", "--size", "160x120", "-o", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(size_of(outcome.out), std::pair(160, 120));
+  EXPECT_EQ(outcome.out.substr(outcome.out.size() - 8, 4), "IEND");
 }
 
 }  // namespace

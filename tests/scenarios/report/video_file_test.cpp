@@ -55,13 +55,23 @@ TEST(VideoFileTest, WhatIsNotFinishedLeavesNothingBehind) {
 
 TEST(VideoFileTest, FailsWhereTheFolderIsMissing) {
   if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-  VideoFile film("/nowhere/film.mp4", {VideoFormat::kMp4, 80, 64, 5.0});
-  EXPECT_THROW(
-      {
-        for (int k = 0; k < 2000; ++k) film.write(plain(80, 64, 0));
-        film.finish();
-      },
-      OutputFault);
+  EXPECT_THROW(VideoFile("/nowhere/film.mp4", {VideoFormat::kMp4, 80, 64, 5.0}), OutputFault);
+}
+
+TEST(VideoFileTest, WritesThroughALinkAndIntoADevice) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  const testing::TemporaryFolder folder;
+  testing::write_file(folder / "film.gif", "old");
+  std::filesystem::create_symlink("film.gif", folder / "link.gif");
+  std::filesystem::create_symlink("/dev/null", folder / "device.gif");
+  for (const char* name : {"link.gif", "device.gif"}) {
+    VideoFile film(folder / name, {VideoFormat::kGif, 80, 64, 5.0});
+    film.write(plain(80, 64, 0));
+    film.finish();
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / name)) << name;
+  }
+  EXPECT_EQ(testing::read_file(folder / "film.gif").substr(0, 6), "GIF89a");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
 TEST(VideoFileTest, WithoutFfmpegItSaysWhatToInstall) {
