@@ -173,6 +173,12 @@ class UnpackedBytes final : public ByteStream {
 
 }  // namespace
 
+void need_clean_end(StreamEnd end, const std::string& name, std::int64_t num_scans) {
+  if (end == StreamEnd::kClean) return;
+  throw InputError(name + ": compressed data is " + (end == StreamEnd::kCutOff ? "cut off" : "damaged") +
+                   " after " + std::to_string(num_scans) + " scans");
+}
+
 std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path) {
   auto file = std::make_unique<FileBytes>(path);
   file->check_kind();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -15,6 +16,9 @@ enum class StreamEnd {
   kCutOff,   ///< packed data stops in the middle
   kDamaged,  ///< packed data does not unpack, or its checksum is wrong
 };
+
+/// @throws InputError unless the end is clean; it says how many scans of the recording `name` came before.
+void need_clean_end(StreamEnd end, const std::string& name, std::int64_t num_scans);
 
 /// Bytes that are read once, front to back.
 class ByteStream {

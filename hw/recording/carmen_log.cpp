@@ -21,7 +21,6 @@ struct CarmenLog::Impl {
 
   bool read_scan();
   CarmenLine read_line(const TextLine& line);
-  void check_end() const;
 };
 
 CarmenLine CarmenLog::Impl::read_line(const TextLine& line) {
@@ -52,15 +51,8 @@ bool CarmenLog::Impl::read_scan() {
         return true;
     }
   }
-  check_end();
+  need_clean_end(lines.end(), name, counts.num_scans);
   return false;
-}
-
-void CarmenLog::Impl::check_end() const {
-  if (lines.end() == StreamEnd::kClean) return;
-  throw InputError(name + ": compressed data is " +
-                   (lines.end() == StreamEnd::kCutOff ? "cut off" : "damaged") + " after " +
-                   std::to_string(counts.num_scans) + " scans");
 }
 
 CarmenLog::CarmenLog(const std::filesystem::path& path, const CarmenLogOptions& options, Report report)

@@ -84,7 +84,7 @@ class JsonLinesWriter final : public ScanWriter {
   JsonLinesWriter(std::unique_ptr<ByteSink> sink, const RecordingMetadata& metadata)
       : sink_(std::move(sink)) {
     JsonText json(line_);
-    json.begin_object().key("format").text("scanbed.recording").key("version").integer(kVersion);
+    json.begin_object().key("format").text(kJsonLinesFormat).key("version").integer(kVersion);
     json.key("metadata").begin_object();
     for (const auto& [key, value] : metadata) json.key(key).text(value);
     json.end_object().end_object();
@@ -130,6 +130,8 @@ class JsonLinesSource final : public ScanSource {
       if (line.text.empty()) continue;
       if (try_line(line, out)) return true;
     }
+    if (has_ended_) skip_rest();
+    need_clean_end(lines_.end(), name_, counts_.num_scans);
     if (has_ended_) return false;
     throw InputError(name_ + ": is not finished: it ends after " + std::to_string(counts_.num_scans) +
                      " scans without an end line (cut off, or its recorder was killed)");
@@ -138,21 +140,44 @@ class JsonLinesSource final : public ScanSource {
  private:
   void read_header() {
     TextLine line;
-    if (!lines_.next(line) || !line.text.starts_with(kJsonLinesMagic)) {
-      throw InputError(name_ + ": is no recording of scanbed: its first line is another");
+    if (!lines_.next(line)) {
+      need_clean_end(lines_.end(), name_, 0);
+      throw InputError(name_ + ": is no recording of scanbed: it has no first line");
     }
     try {
-      const JsonValue header = parse_json(line.text);
-      const int version = header.at("version").integer("version");
-      if (version != kVersion) {
-        throw InputError("version is " + std::to_string(version) + ", known is " + std::to_string(kVersion));
-      }
-      for (const auto& [key, value] : header.at("metadata").object("metadata")) {
-        metadata_[key] = value.text("metadata");
-      }
+      take_header(parse_json(line.text));
     } catch (const InputError& error) {
       throw InputError(name_ + ":1: " + error.what());
     }
+  }
+
+  void take_header(const JsonValue& header) {
+    const JsonValue* const format = header.find("format");
+    const std::string* const format_name = format == nullptr ? nullptr : format->if_text();
+    if (format_name == nullptr || *format_name != kJsonLinesFormat) {
+      throw InputError("is not the first line of a recording of scanbed");
+    }
+    const int version = header.at("version").integer("version");
+    if (version != kVersion) {
+      throw InputError("version is " + std::to_string(version) + ", known is " + std::to_string(kVersion));
+    }
+    for (const auto& [key, value] : header.at("metadata").object("metadata")) {
+      metadata_[key] = value.text("metadata");
+    }
+  }
+
+  /// Reads on behind the end line: compressed data tells of damage only at its own end.
+  void skip_rest() {
+    bool is_told = false;
+    for (TextLine line; lines_.next(line);) {
+      if (line.text.empty() || std::exchange(is_told, true)) continue;
+      damaged(line, "stands behind the end line, as all that follows does");
+    }
+  }
+
+  void damaged(const TextLine& line, const std::string& what) {
+    ++counts_.num_damaged_lines;
+    if (report_) report_(name_ + ":" + std::to_string(line.number) + ": line skipped: " + what);
   }
 
   /// Whether the line held a scan; what is wrong with a line is reported.
@@ -172,8 +197,7 @@ class JsonLinesSource final : public ScanSource {
       has_ended_ = json.find("end") != nullptr;
       if (!has_ended_) ++counts_.num_other_lines;
     } catch (const InputError& error) {
-      ++counts_.num_damaged_lines;
-      if (report_) report_(name_ + ":" + std::to_string(line.number) + ": line skipped: " + error.what());
+      damaged(line, error.what());
     }
     return false;
   }

@@ -24,8 +24,8 @@ namespace scanbed::hw {
 // odometry, features and truth are left out where they are not known, health where all is fine; their parts
 // are those of scan_json.hpp. A range is a number, or "inf" (no echo), "-inf" (too close) or "nan" (invalid).
 
-/// The first line begins with this.
-inline constexpr std::string_view kJsonLinesMagic = R"({"format":"scanbed.recording")";
+/// What the first line says its "format" is. It may be spaced and ordered in any way that JSON allows.
+inline constexpr std::string_view kJsonLinesFormat = "scanbed.recording";
 
 std::unique_ptr<ScanWriter> write_json_lines(std::unique_ptr<ByteSink> sink,
                                              const RecordingMetadata& metadata);
@@ -35,8 +35,9 @@ struct JsonLinesOptions {
   std::string only;  ///< those of this source; empty reads all
 };
 
-/// Reads plain or gzip. A line that is no scan is reported with its number and skipped. After the last scan,
-/// InputError if the end line is missing: the recorder was killed, or the file was cut off.
+/// Reads plain or gzip. A line that is no scan is reported with its number and skipped, and so is, once, all
+/// that stands behind the end line. After the last scan, InputError if compressed data is cut off or damaged,
+/// or if the end line is missing: the recorder was killed, or the file was cut off.
 /// @throws InputError where the first line is not that of a recording, or of a later version.
 std::unique_ptr<ScanSource> read_json_lines(std::unique_ptr<ByteStream> bytes, std::string name,
                                             const JsonLinesOptions& options, DamageReport report);

@@ -68,6 +68,8 @@ class McapSource final : public ScanSource {
       if (!next_record()) break;
       if (take_record(out)) return true;
     }
+    if (has_footer_) skip_rest();
+    need_clean_end(pieces_.end(), name_, counts_.num_scans);
     if (!has_footer_) {
       throw InputError(name_ + ": is not finished: it ends after " + std::to_string(counts_.num_scans) +
                        " scans without its index (cut off, or its recorder was killed)");
@@ -135,6 +137,15 @@ class McapSource final : public ScanSource {
   void check_end() {
     std::string magic;
     has_footer_ = pieces_.read(magic, kMcapMagic.size()) && magic == kMcapMagic;
+  }
+
+  /// Reads on behind the end: compressed data tells of damage only at its own end.
+  void skip_rest() {
+    constexpr std::uint64_t kBlock = std::uint64_t{1} << 18;
+    record_at_ = pieces_.offset();
+    std::string rest;
+    if (pieces_.read(rest, 1)) damaged("stands behind the end of the recording, as all that follows does");
+    while (pieces_.read(rest, kBlock)) continue;
   }
 
   void take_metadata() {

@@ -107,10 +107,8 @@ class PlayerSource final : public ScanSource {
     while (lines_.next(line)) {
       if (try_line(line, out)) return true;
     }
-    if (lines_.end() == StreamEnd::kClean) return false;
-    throw InputError(name_ + ": compressed data is " +
-                     (lines_.end() == StreamEnd::kCutOff ? "cut off" : "damaged") + " after " +
-                     std::to_string(counts_.num_scans) + " scans");
+    need_clean_end(lines_.end(), name_, counts_.num_scans);
+    return false;
   }
 
  private:

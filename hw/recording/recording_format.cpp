@@ -28,6 +28,13 @@ bool is_player_line(std::string_view line) {
          is_number(fields.word(), kDigits);
 }
 
+/// Does not parse: the first line holds the text of a scenario, and may be longer than the head.
+bool is_json_lines(std::string_view head) {
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r"), head.size()));
+  const std::string_view line = head.substr(0, head.find('\n'));
+  return line.starts_with('{') && line.find(kJsonLinesFormat) != std::string_view::npos;
+}
+
 bool is_player(std::string_view head) {
   while (!head.empty()) {
     const std::size_t end = std::min(head.find('\n'), head.size());
@@ -62,7 +69,7 @@ bool is_packed_name(const std::filesystem::path& path) {
 std::optional<RecordingFormat> format_of_content(std::string_view head) {
   if (head.starts_with(kBagMagic)) return RecordingFormat::kBag;
   if (head.starts_with(kMcapMagic)) return RecordingFormat::kMcap;
-  if (head.starts_with(kJsonLinesMagic)) return RecordingFormat::kJsonLines;
+  if (is_json_lines(head)) return RecordingFormat::kJsonLines;
   if (is_player(head)) return RecordingFormat::kPlayer;
   return std::nullopt;
 }

@@ -73,6 +73,44 @@ TEST(JsonLinesTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
   EXPECT_EQ(reading.counts.num_other_lines, 1);
 }
 
+TEST(JsonLinesTest, ReadsItsFirstLineInAnyOrderAndSpacing) {
+  for (const char* header :
+       {R"({"version": 1, "metadata": {"a": "b"}, "format": "scanbed.recording"})",
+        R"(  {	"format"	:	"scanbed.recording","version":1,"metadata":{"a":"b"}} )"}) {
+    const Reading reading = read_all(std::string(header) + "\r\n" + line("1") + kEnd, "x.log");
+    EXPECT_EQ(reading.error, "") << header;
+    EXPECT_EQ(reading.scans.size(), 1U) << header;
+    EXPECT_EQ(reading.metadata.at("a"), "b") << header;
+  }
+}
+
+// Two recordings, one behind the other, are one and what is too much.
+TEST(JsonLinesTest, ReportsOnceWhatStandsBehindItsEnd) {
+  const std::string one = kHeader + line("1") + kEnd;
+  EXPECT_TRUE(read_all(one + "\n", "x.jsonl").reports.empty());
+  const Reading reading = read_all(one + "\n" + one, "x.jsonl");
+  EXPECT_EQ(reading.error, "");
+  EXPECT_EQ(reading.scans.size(), 1U);
+  EXPECT_EQ(reading.counts.num_damaged_lines, 1);
+  EXPECT_EQ(reading.reports,
+            std::vector<std::string>{"x.jsonl:5: line skipped: stands behind the end line, as "
+                                     "all that follows does"});
+}
+
+TEST(JsonLinesTest, SaysWhereCompressedDataIsDamagedUpToItsLastByte) {
+  const std::string whole = recorded("x.jsonl.gz", made_scans(40));
+  EXPECT_EQ(read_all(whole, "x.jsonl.gz").error, "");
+  std::string wrong_crc = whole;
+  wrong_crc[wrong_crc.size() - 8] ^= 1;
+  EXPECT_EQ(read_all(wrong_crc, "x.jsonl.gz").error, "x.jsonl.gz: compressed data is damaged after 40 scans");
+  EXPECT_EQ(read_all(whole.substr(0, whole.size() - 1), "x.jsonl.gz").error,
+            "x.jsonl.gz: compressed data is cut off after 40 scans");
+  std::string flipped = whole;
+  for (std::size_t i = 0; i < 8; ++i) flipped[whole.size() / 2 + i] ^= 0x55;
+  const std::string error = read_all(flipped, "x.jsonl.gz").error;
+  EXPECT_NE(error.find("compressed data is damaged after "), std::string::npos) << error;
+}
+
 TEST(JsonLinesTest, SaysThatItIsNotFinished) {
   const Reading reading = read_all(kHeader + line("1") + line("2"), "x.jsonl");
   EXPECT_EQ(reading.scans.size(), 2U);
@@ -82,8 +120,10 @@ TEST(JsonLinesTest, SaysThatItIsNotFinished) {
 }
 
 TEST(JsonLinesTest, RefusesOtherFilesAndLaterVersions) {
-  EXPECT_EQ(read_all("{}\n", "x.jsonl").error,
-            "x.jsonl: is no recording of scanbed: its first line is another");
+  EXPECT_EQ(read_all("{}\n", "x.jsonl").error, "x.jsonl:1: is not the first line of a recording of scanbed");
+  EXPECT_EQ(read_all(R"(["format"])", "x.jsonl").error,
+            "x.jsonl:1: is not the first line of a recording of scanbed");
+  EXPECT_EQ(read_all("scans\n", "x.jsonl").error, "x.jsonl:1: not JSON at byte 0: expected a value");
   EXPECT_EQ(read_all(R"({"format":"scanbed.recording","version":2,"metadata":{}})"
                      "\n",
                      "x.jsonl")

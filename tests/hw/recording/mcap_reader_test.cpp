@@ -109,6 +109,18 @@ TEST(McapReaderTest, ChecksTheChecksumOverAllData) {
   EXPECT_EQ(reading.error, "x.mcap: is damaged: the checksum over all its data does not fit");
 }
 
+TEST(McapReaderTest, ReportsOnceWhatStandsBehindItsEnd) {
+  const std::string one = recorded("x.mcap", made_scans(3));
+  EXPECT_TRUE(read_all(one, "x.mcap").reports.empty());
+  const Reading reading = read_all(one + one, "x.mcap");
+  EXPECT_EQ(reading.error, "");
+  EXPECT_EQ(reading.scans.size(), 3U);
+  EXPECT_EQ(
+      reading.reports,
+      std::vector<std::string>{"x.mcap: record at byte " + std::to_string(one.size()) +
+                               " skipped: stands behind the end of the recording, as all that follows does"});
+}
+
 TEST(McapReaderTest, AbsurdLengthsAreRefusedAtOnce) {
   std::string bytes = std::string(kMcapMagic) + "\x06" + std::string(8, '\xff');
   EXPECT_EQ(read_all(bytes, "x.mcap").error,

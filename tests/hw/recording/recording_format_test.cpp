@@ -25,6 +25,8 @@ TEST(RecordingFormatTest, ContentTellsTheFormat) {
   EXPECT_EQ(format_of_content("#ROSBAG V2.0\nx"), RecordingFormat::kBag);
   EXPECT_EQ(format_of_content("\x89MCAP0\r\n"), RecordingFormat::kMcap);
   EXPECT_EQ(format_of_content(R"({"format":"scanbed.recording","version":1)"), RecordingFormat::kJsonLines);
+  EXPECT_EQ(format_of_content(R"( { "version": 1, "format" : "scanbed.recording")"),
+            RecordingFormat::kJsonLines);
   EXPECT_EQ(format_of_content("# x\n\n0000001000.000 16777343 6665 laser 00 004 001 0"),
             RecordingFormat::kPlayer);
   for (const char* text : {"", "#", "# a\n# b\n", "FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1\n",
