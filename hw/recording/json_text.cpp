@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/utf8.hpp"
+
 namespace scanbed::hw {
 namespace {
 
@@ -20,7 +22,7 @@ void append_number(std::string& out, Value value) {
 void append_quoted(std::string& out, std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   out.push_back('"');
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       out.push_back('\\');

@@ -23,6 +23,7 @@ class JsonText {
   /// JSON has nothing for infinities (the greatest number stands in for them) and NaN (0 does).
   JsonText& number(double value);
   JsonText& integer(std::int64_t value);
+  /// As for keys: U+FFFD stands in for bytes that are no UTF-8.
   JsonText& text(std::string_view value);
 
  private:

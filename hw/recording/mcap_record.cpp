@@ -3,6 +3,8 @@
 
 #include <zlib.h>
 
+#include "core/text/utf8.hpp"
+
 namespace scanbed::hw {
 
 void append_mcap_record(std::string& out, McapOp op, std::string_view content) {
@@ -19,8 +21,8 @@ void append_mcap_text(std::string& out, std::string_view text) {
 void append_mcap_map(std::string& out, const std::map<std::string, std::string>& map) {
   std::string entries;
   for (const auto& [key, value] : map) {
-    append_mcap_text(entries, key);
-    append_mcap_text(entries, value);
+    append_mcap_text(entries, as_utf8(key));
+    append_mcap_text(entries, as_utf8(value));
   }
   append_mcap_text(out, entries);
 }

@@ -37,7 +37,7 @@ void append_mcap_record(std::string& out, McapOp op, std::string_view content);
 /// A text or another piece, its length (32 bits) in front.
 void append_mcap_text(std::string& out, std::string_view text);
 
-/// A map of texts, its length in bytes in front.
+/// A map of texts (see as_utf8), its length in bytes in front.
 void append_mcap_map(std::string& out, const std::map<std::string, std::string>& map);
 
 /// Reads such a map. What is left over or too short makes the cursor fail.

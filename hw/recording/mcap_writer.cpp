@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/errors/input_error.hpp"
+#include "core/text/utf8.hpp"
 #include "hw/recording/compression.hpp"
 #include "hw/recording/little_endian.hpp"
 #include "hw/recording/mcap_message.hpp"
@@ -132,8 +133,8 @@ class McapWriter final : public ScanWriter {
   /// The channel, made known to the file where it is new.
   Channel& channel_of(McapContent content, const LaserScan& scan) {
     const auto kind = static_cast<std::size_t>(content);
-    const std::string topic =
-        "/" + (scan.source.empty() ? "scan" : scan.source) + std::string(kMcapSchemas[kind].topic_ending);
+    const std::string topic = "/" + (scan.source.empty() ? "scan" : as_utf8(scan.source)) +
+                              std::string(kMcapSchemas[kind].topic_ending);
     const auto [found, is_new] = ids_.try_emplace({topic, kind}, channels_.size());
     if (is_new && found->second > kMostChannel) {
       throw InputError("an MCAP file holds no more than 65536 channels, four a source");

@@ -6,43 +6,24 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include "core/errors/ensure.hpp"
+#include "core/text/utf8.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 constexpr double kFullTurn_rad = 6.283185307179586;
 
-// How many bytes a character that begins with `lead` has; 0 where none begins so, or it prints nothing.
-std::size_t bytes_announced(unsigned char lead) {
-  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
-  if (lead >= 0xc2 && lead < 0xe0) return 2;
-  return (lead & 0xf0U) == 0xe0 ? 3 : 0;
-}
-
-bool is_overlong_or_surrogate(unsigned char lead, unsigned char second) {
-  return (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second >= 0xa0);
-}
-
-// Length of the well-formed UTF-8 sequence of printable text that starts at `i`; 0 where there is none.
-std::size_t utf8_length(const std::string& text, std::size_t i) {
-  const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
-  const std::size_t length = bytes_announced(byte(i));
-  if (i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(i + k) & 0xc0U) != 0x80) return 0;
-  }
-  return length > 1 && is_overlong_or_surrogate(byte(i), byte(i + 1)) ? 0 : length;
-}
-
 // Cairo goes into an error state, and draws nothing more, once it meets bytes that are no UTF-8.
-std::string printable(const std::string& text) {
+std::string printable(std::string_view text) {
   std::string clean;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    clean += length == 0 ? "?" : text.substr(i, length);
-    i += length == 0 ? 1 : length;
+  while (!text.empty()) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    const std::size_t length = utf8_length(text);
+    clean += length == 0 || lead < 0x20 || lead == 0x7f ? "?" : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return clean;
 }

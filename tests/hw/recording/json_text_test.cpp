@@ -45,5 +45,11 @@ TEST(JsonTextTest, EscapesWhatMustNotStandInATextAsItIs) {
   EXPECT_EQ(parse_json(out).text("text"), text);
 }
 
+TEST(JsonTextTest, ReplacesWhatIsNoUtf8) {
+  std::string out;
+  JsonText(out).begin_object().key("a\xff").text("\xc3\xa4\xc3").end_object();
+  EXPECT_EQ(out, "{\"a\xef\xbf\xbd\":\"\xc3\xa4\xef\xbf\xbd\"}");
+}
+
 }  // namespace
 }  // namespace scanbed::hw

@@ -41,6 +41,18 @@ TEST(McapWriterTest, SameScansSameBytes) {
   EXPECT_EQ(recorded("x.mcap", made_scans(5)), recorded("x.mcap", made_scans(5)));
 }
 
+// MCAP's texts are UTF-8, whatever the names were that another recording gave to its lasers.
+TEST(McapWriterTest, NamesThatAreNoUtf8AreReplaced) {
+  LaserScan scan = made_scan(0);
+  scan.source = "front\xff";
+  const std::string bytes = recorded("x.mcap", {scan}, {{"note", "\xe4"}});
+  const Reading reading = read_all(bytes, "x.mcap");
+  ASSERT_EQ(reading.scans.size(), 1U) << reading.error;
+  EXPECT_EQ(reading.scans[0].source, "front\xef\xbf\xbd");
+  EXPECT_EQ(reading.metadata.at("note"), "\xef\xbf\xbd");
+  EXPECT_NE(bytes.find("/front\xef\xbf\xbd"), std::string::npos);
+}
+
 TEST(McapWriterTest, FeaturesAndTruthComeBack) {
   const TemporaryFolder folder;
   const auto writer = create_recording(folder / "x.mcap", {});
