@@ -164,7 +164,7 @@ void read_new(FieldReader& fields, const Message& message, const CarmenLogOption
 /// Reads the tail, if there is one; whether there is.
 bool read_time(FieldReader& fields, LaserScan& scan) {
   if (!fields.ok() || fields.num_left() == 0) return false;
-  scan.time_s = fields.finite("ipc_timestamp");
+  scan.time_s = fields.time("ipc_timestamp");
   fields.word();  // host
   fields.number("logger_timestamp");
   return fields.ok();

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hw/recording/nano_time.hpp"
+
 namespace scanbed::hw {
 namespace {
 
@@ -55,6 +57,12 @@ double FieldReader::number(std::string_view name) {
 double FieldReader::finite(std::string_view name) {
   const double value = number(name);
   if (!std::isfinite(value)) fail(std::string(name) + " is not finite");
+  return value;
+}
+
+double FieldReader::time(std::string_view name) {
+  const double value = finite(name);
+  if (!is_time(value)) fail(std::string(name) + " is more than 1e12 s away from 0");
   return value;
 }
 

@@ -24,6 +24,9 @@ class FieldReader {
   /// As number(), but NaN and infinity are failures.
   double finite(std::string_view name);
 
+  /// As finite(), but what is_time() refuses is a failure too.
+  double time(std::string_view name);
+
   /// The next field as a whole number in [0, 2^31). 0 after a failure.
   int count(std::string_view name);
 

@@ -64,7 +64,7 @@ void write_scan(JsonText& json, const ScanRecord& record) {
 
 void read_scan(const JsonValue& json, RecordedScan& out) {
   LaserScan& scan = out.scan;
-  scan.time_s = json.at("t_s").number("t_s");
+  scan.time_s = read_time(json);
   scan.source = json.at("source").text("source");
   scan.range_m.clear();
   for (const JsonValue& item : json.at("ranges").array("ranges")) scan.range_m.push_back(read_range(item));

@@ -82,16 +82,16 @@ ScanGeometry guess_geometry(const JsonValue& json, int num_beams) {
   return geometry;
 }
 
-double read_time(const JsonValue& json) {
+double read_timestamp(const JsonValue& json) {
   const JsonValue& time = json.at("timestamp");
   const double sec = time.at("sec").number("sec");
   const double nsec = time.at("nsec").number("nsec");
-  if (sec >= 0.0 && sec <= 1e12 && nsec >= 0.0 && nsec < 1e9) return sec + nsec * 1e-9;
+  if (sec >= 0.0 && is_time(sec) && nsec >= 0.0 && nsec < 1e9) return sec + nsec * 1e-9;
   throw InputError("'timestamp' is no time");
 }
 
 void read_beams(const JsonValue& json, LaserScan& scan) {
-  scan.time_s = json.at("t_s").number("t_s");
+  scan.time_s = read_time(json);
   scan.source = json.at("source").text("source");
   scan.geometry = read_geometry(json.at("geometry"), scan.num_beams());
   if (const JsonValue* const odometry = json.find("odometry")) scan.X_OR = read_pose(*odometry);
@@ -165,7 +165,7 @@ std::string encode_mcap_truth(const Truth& truth, double time_s) {
 void decode_mcap_scan(std::string_view scan_json, const McapSideMessages& side, RecordedScan& out) {
   const JsonValue json = parse_json(scan_json);
   LaserScan& scan = out.scan;
-  scan.time_s = read_time(json);
+  scan.time_s = read_timestamp(json);
   scan.source.clear();
   scan.X_OR.reset();
   scan.health = {};

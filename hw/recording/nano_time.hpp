@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace scanbed::hw {
+
+/// Whether a number can be the time of a scan: within 30 000 years of 0. Sums of such times are finite, and
+/// their doubles tell milliseconds apart.
+inline bool is_time(double time_s) {
+  return std::abs(time_s) <= 1e12;
+}
 
 /// Seconds to whole nanoseconds and back. The way there and back keeps a time to half a nanosecond, and to
 /// the bit where its double is coarser than that.

@@ -31,7 +31,7 @@ struct Prefix {
 
 Prefix read_prefix(FieldReader& fields) {
   Prefix prefix;
-  prefix.time_s = fields.finite("time");
+  prefix.time_s = fields.time("time");
   fields.word();  // host
   fields.word();  // robot
   prefix.interface = fields.word();

@@ -9,6 +9,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "core/geometry/angles.hpp"
+#include "hw/recording/nano_time.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -147,6 +148,12 @@ ObjectTruth read_object(const JsonValue& json) {
 }
 
 }  // namespace
+
+double read_time(const JsonValue& scan) {
+  const double time_s = number_at(scan, "t_s");
+  if (!is_time(time_s)) throw InputError("'t_s' is more than 1e12 s away from 0");
+  return time_s;
+}
 
 void write_geometry(JsonText& json, const ScanGeometry& geometry) {
   json.begin_object().key("first_rad").number(geometry.first_rad).key("step_rad").number(geometry.step_rad);

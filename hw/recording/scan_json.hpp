@@ -14,6 +14,9 @@ namespace scanbed::hw {
 // The parts of a scan as JSON, shared by the formats that are made of it. SI units; what is written reads
 // back to the same bits. Readers throw InputError for what is missing or cannot be.
 
+/// Key "t_s" of a scan; what is_time() refuses is not accepted.
+double read_time(const JsonValue& scan);
+
 /// {"first_rad": ..., "step_rad": ..., "min_range_m": ..., "max_range_m": ..., "rotations": 2, "rotation_s":
 /// ..., "step_s": ...}; max_range_m is left out where it is infinite. The number of beams the ranges tell.
 void write_geometry(JsonText& json, const ScanGeometry& geometry);

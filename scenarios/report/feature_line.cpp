@@ -48,7 +48,9 @@ class ObjectWriter {
       out_ += "null";
       return;
     }
-    const double rounded = std::round(value * 1e6) / 1e6;
+    // Doubles from here on are whole, and would overflow at the end of their range.
+    const bool is_whole = std::abs(value) > 0x1p53;
+    const double rounded = is_whole ? value : std::round(value * 1e6) / 1e6;
     // Adding zero turns -0 into 0.
     fmt::format_to(std::back_inserter(out_), "{}", rounded + 0.0);
   }

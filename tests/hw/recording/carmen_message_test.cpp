@@ -230,6 +230,8 @@ TEST(CarmenMessageTest, NamesWhatIsWrongWithALine) {
             "FLASER: 1000000000 readings announced, but 2 fields left on the line");
   EXPECT_EQ(damage_of("FLASER 2 1 abc 0 0 0 0 0 0 1 host 1"), "FLASER: a reading is 'abc', not a number");
   EXPECT_EQ(damage_of("FLASER 2 1 2 0 0 0 0 0 0 nan host 1"), "FLASER: ipc_timestamp is not finite");
+  EXPECT_EQ(damage_of("FLASER 2 1 2 0 0 0 0 0 0 -1e308 host 1"),
+            "FLASER: ipc_timestamp is more than 1e12 s away from 0");
   EXPECT_EQ(damage_of("RAWLASER1 0 nan 3 1.5 50 0.01 0 0 0"), "RAWLASER1: start_angle is not finite");
   EXPECT_EQ(damage_of("RAWLASER1 0 -90 180 0.5 50 0.01 0 1 1 0"),
             "RAWLASER1: start_angle is more than a turn, in radians");

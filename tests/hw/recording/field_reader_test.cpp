@@ -38,6 +38,22 @@ TEST(FieldReaderTest, NanAndInfinityAreNumbersButNotFinite) {
   EXPECT_EQ(fields.failure(), "theta is not finite");
 }
 
+TEST(FieldReaderTest, TimesAreOfClocksThatThereAre) {
+  for (const char* text : {"1e12", "-1e12", "0", "1700000000.5"}) {
+    FieldReader fields(text);
+    fields.time("time");
+    EXPECT_TRUE(fields.ok()) << text;
+  }
+  for (const char* text : {"1.1e12", "-1e308"}) {
+    FieldReader fields(text);
+    fields.time("time");
+    EXPECT_EQ(fields.failure(), "time is more than 1e12 s away from 0") << text;
+  }
+  FieldReader fields("nan");
+  fields.time("time");
+  EXPECT_EQ(fields.failure(), "time is not finite");
+}
+
 TEST(FieldReaderTest, RefusesWhatIsNoNumber) {
   for (const char* text : {"abc", "1.5x", "0x10", "1,5", "--1", "+-1", "+", "-", "1e999", "1.2.3"}) {
     FieldReader fields(text);

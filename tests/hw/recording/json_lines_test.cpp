@@ -131,6 +131,15 @@ TEST(JsonLinesTest, RefusesOtherFilesAndLaterVersions) {
             "x.jsonl:1: version is 2, known is 1");
 }
 
+TEST(JsonLinesTest, ATimeBeyondAllClocksIsDamage) {
+  std::string late = line("1");
+  late.replace(late.find("1.5"), 3, "1e308");
+  const Reading reading = read_all(kHeader + late + line("1") + kEnd, "x.jsonl");
+  EXPECT_EQ(reading.scans.size(), 1U);
+  EXPECT_EQ(reading.reports,
+            std::vector<std::string>{"x.jsonl:2: line skipped: 't_s' is more than 1e12 s away from 0"});
+}
+
 TEST(JsonLinesTest, RefusesAGeometryThatCannotBe) {
   const std::string turn =
       R"({"scan":0,"t_s":0,"source":"","geometry":{"first_rad":0,"step_rad":4,"min_range_m":0,)"

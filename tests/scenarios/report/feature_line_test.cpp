@@ -130,5 +130,11 @@ TEST(FeatureLineTest, WritesNullForWhatJsonCannotHold) {
   EXPECT_NE(line_of(LaserScan{}, features).find(R"("middle":[null,null])"), std::string::npos);
 }
 
+TEST(FeatureLineTest, WritesTheGreatestNumbersAsTheyAre) {
+  LaserScan scan;
+  scan.time_s = -1e308;
+  EXPECT_NE(line_of(scan, {}).find(R"("t_s":-1e+308,)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios
