@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/load/nearest_name.hpp"
@@ -119,11 +120,14 @@ void parse_target(LaserSpec& spec, std::string_view rest, SetOption set_option) 
   const std::size_t mark = std::min(rest.rfind('?'), rest.size());
   spec.target = rest.substr(0, mark);
   std::string_view options = rest.substr(std::min(mark + 1, rest.size()));
+  std::set<std::string_view> names;
   while (!options.empty()) {
     const std::size_t end = std::min(options.find('&'), options.size());
     const std::string_view option = options.substr(0, end);
     const std::size_t equals = std::min(option.find('='), option.size());
-    set_option(spec, {option.substr(0, equals), option.substr(std::min(equals + 1, option.size()))});
+    const std::string_view name = option.substr(0, equals);
+    if (!names.insert(name).second) refuse_spec(spec.text, fmt::format("{}: is given twice", name));
+    set_option(spec, {name, option.substr(std::min(equals + 1, option.size()))});
     options.remove_prefix(std::min(end + 1, options.size()));
   }
 }

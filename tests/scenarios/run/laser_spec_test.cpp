@@ -110,5 +110,10 @@ TEST(ParseLaserSpecTest, ReadsHowALogIsReplayed) {
   EXPECT_THROW(parse_laser_spec("log:a.bag?from="), InputError);
 }
 
+TEST(LaserSpecTest, RefusesAnOptionThatIsGivenTwice) {
+  EXPECT_EQ(testing::error_of([] { parse_laser_spec("log:a?from=1&to=3&from=2"); }),
+            "--laser 'log:a?from=1&to=3&from=2': from: is given twice");
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios
