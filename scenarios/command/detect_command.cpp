@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
 #include <exception>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
@@ -14,6 +19,7 @@
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
+#include "scenarios/load/place.hpp"
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/analyst.hpp"
 #include "scenarios/run/live_sensor.hpp"
@@ -24,6 +30,28 @@ namespace {
 // Longer than any laser needs for a scan; sources that never wait ignore it.
 constexpr RangeSensor::Seconds kScanTimeout{2.0};
 
+// Tells once that a recording mixes lasers: their scans follow each other as if they were of one.
+class SourceWatch {
+ public:
+  explicit SourceWatch(const LaserSpec& spec)
+      : name_(spec.target), is_watching_(spec.kind == LaserKind::kLog && spec.log.only.empty()) {}
+
+  void see(const LaserScan& scan) {
+    if (!is_watching_) return;
+    if (!first_) first_ = scan.source;
+    if (scan.source == *first_) return;
+    is_watching_ = false;
+    const std::string& example = first_->empty() ? scan.source : *first_;
+    log_warning(fmt::format("{}: mixes scans of several lasers, {} and {}; read one with log:{}?only={}",
+                            name_, quote(*first_), quote(scan.source), name_, example));
+  }
+
+ private:
+  std::string name_;
+  bool is_watching_;
+  std::optional<std::string> first_;
+};
+
 /// Where features go.
 struct Sinks {
   Output& output;
@@ -32,10 +60,12 @@ struct Sinks {
 
 void print_features(const DetectCommand& command, RangeSensor& sensor, Analyst& analyst, const Sinks& sinks) {
   Progress progress("detect");
+  SourceWatch watch(command.laser);
   LaserScan scan;
   std::string line;
   for (std::int64_t num_scans = 0; !command.limit || num_scans < *command.limit; ++num_scans) {
     if (is_interrupted() || !sensor.next(scan, kScanTimeout)) return;
+    watch.see(scan);
     line.clear();
     const Findings findings = analyst.analyse(scan);
     sinks.recorder.see(scan, findings.features, sensor);
@@ -108,6 +138,8 @@ struct DetectTexts {
 DetectCommand to_detect(const DetectTexts& texts) {
   std::optional<std::int64_t> limit;
   if (!texts.limit.empty()) limit = to_count("--limit", texts.limit, 1);
+  check_all_differ(std::array{FileToWrite{"--out", to_path(texts.out)},
+                              FileToWrite{"--record", to_path(texts.record.text)}});
   return {.laser = parse_laser_spec(texts.laser),
           .detector = texts.detector.value(),
           .settings = texts.settings.values(),

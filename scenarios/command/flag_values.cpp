@@ -11,6 +11,19 @@
 #include "scenarios/load/place.hpp"
 
 namespace scanbed::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  const fs::file_status status = fs::status(a, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return false;
+  return fs::weakly_canonical(fs::absolute(a, error), error) ==
+         fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+}  // namespace
 
 std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least) {
   const std::optional<std::int64_t> count = parse_count(text);
@@ -36,6 +49,16 @@ std::size_t to_choice(std::string_view flag, const std::string& text, std::span<
 
 std::optional<std::filesystem::path> to_path(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
+void check_all_differ(std::span<const FileToWrite> files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!files[i].path || !files[k].path || !is_same_file(*files[i].path, *files[k].path)) continue;
+      throw InputError(fmt::format("{}: {}: is the file of {}, too; name another one", files[i].flag,
+                                   files[i].path->string(), files[k].flag));
+    }
+  }
 }
 
 }  // namespace scanbed::scenarios

@@ -25,4 +25,14 @@ std::size_t to_choice(std::string_view flag, const std::string& text, std::span<
 /// Empty where the flag was not given.
 std::optional<std::filesystem::path> to_path(const std::string& text);
 
+/// A file to write, and the flag that asks for it.
+struct FileToWrite {
+  std::string_view flag;
+  std::optional<std::filesystem::path> path;  ///< empty: the flag was not given
+};
+
+/// Refuses one file for two flags, under whatever names: one of the two results would be lost. Devices and
+/// pipes take both.
+void check_all_differ(std::span<const FileToWrite> files);
+
 }  // namespace scanbed::scenarios

@@ -206,6 +206,9 @@ RenderCommand to_render(const RenderTexts& texts) {
   if (texts.out.empty() && texts.gif.empty() && texts.mp4.empty()) {
     throw InputError("nothing to write: name a file with -o, --gif or --mp4; see 'scanbed render --help'");
   }
+  check_all_differ(std::array{FileToWrite{"--out", to_path(texts.out)},
+                              FileToWrite{"--gif", to_path(texts.gif)},
+                              FileToWrite{"--mp4", to_path(texts.mp4)}});
   return {.scenario = texts.scenarios.front(),
           .at_s = to_time_s("--at", texts.at),
           .picture = to_picture(texts),

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <span>
 
@@ -104,7 +105,9 @@ void warn_of_collisions(const RunResult& result) {
 class Reporter {
  public:
   Reporter(const RunCommand& command, int num_runs)
-      : command_(command), num_runs_(num_runs), progress_(fmt::format("{} runs", num_runs), "done") {}
+      : command_(command), num_runs_(num_runs), progress_(fmt::format("{} runs", num_runs), "done") {
+    if (command.json) json_.emplace(command.json);
+  }
 
   void take(RunAndPictures run) {
     const RunResult& result = run.result;
@@ -119,11 +122,14 @@ class Reporter {
     if (num_runs_ > 1) progress_.show(static_cast<std::int64_t>(results_.size()));
   }
 
-  ExitCode finish() const {
+  ExitCode finish() {
     if (prints() && num_runs_ > 1) {
       write_whole(std::nullopt, (command_.tables ? "\n" : "") + run_summary(results_));
     }
-    if (command_.json) write_whole(command_.json, run_json(results_));
+    if (json_) {
+      json_->write(run_json(results_));
+      json_->commit();
+    }
     if (is_interrupted()) return kExitInterrupted;
     const bool is_fine = std::all_of(results_.begin(), results_.end(),
                                      [](const RunResult& result) { return result.is_accepted(); });
@@ -134,6 +140,7 @@ class Reporter {
   bool prints() const { return !command_.quiet && command_.json != "-"; }
 
   const RunCommand& command_;
+  std::optional<Output> json_;  // made before the runs, so that none is lost to a misspelt folder
   int num_runs_;
   std::vector<RunResult> results_;
   Progress progress_;
@@ -168,6 +175,8 @@ std::vector<std::string> scenarios_of(const RunTexts& texts) {
 }
 
 RunCommand to_run(const RunTexts& texts) {
+  check_all_differ(std::array{FileToWrite{"--json", to_path(texts.json)},
+                              FileToWrite{"--record", to_path(texts.record.text)}});
   return {.scenarios = scenarios_of(texts),
           .laser = parse_laser_spec(texts.laser),
           .seeds = texts.seeds.value(),

@@ -181,6 +181,31 @@ TEST_F(DetectTest, DetectsInASimulation) {
   EXPECT_EQ(run_program({"detect", "--laser", "sim"}).exit_code, 2);
 }
 
+TEST_F(DetectTest, WarnsOnceOfARecordingOfSeveralLasers) {
+  std::string rear = kScan;
+  rear.replace(0, 1, "R");
+  const std::string laser = log(kScan + rear + kScan + rear);
+  const Outcome mixed = run_program({"detect", "--laser", laser});
+  EXPECT_EQ(mixed.exit_code, 0);
+  EXPECT_EQ(objects(mixed).size(), 4u);
+  const std::string warning =
+      "mixes scans of several lasers, 'FLASER' and 'RLASER'; read one with " + laser + "?only=FLASER\n";
+  EXPECT_NE(mixed.err.find(warning), std::string::npos) << mixed.err;
+  EXPECT_EQ(std::count(mixed.err.begin(), mixed.err.end(), '\n'), 2) << mixed.err;
+  const Outcome one = run_program({"detect", "--laser", laser + "?only=RLASER"});
+  EXPECT_EQ(objects(one).size(), 2u);
+  EXPECT_EQ(one.err.find("warning"), std::string::npos) << one.err;
+}
+
+TEST_F(DetectTest, RefusesOneFileForTwoOutputs) {
+  const std::string file = (folder_ / "x.jsonl").string();
+  const Outcome outcome = run_program({"detect", "--laser", log(kScan), "--out", file, "--record", file});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("--record: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST_F(DetectTest, WritesAFile) {
   const std::string out = (folder_ / "o.jsonl").string();
   const Outcome outcome = run_program({"detect", "--laser", log(kScan), "--out", out});

@@ -34,5 +34,23 @@ TEST(FlagValuesTest, ChooseAmongNamesAndHintAtTheNearest) {
             "--view: unknown value 'camra'; did you mean 'camera'?");
 }
 
+TEST(FlagValuesTest, RefuseOneFileForTwoOutputs) {
+  const testing::TemporaryFolder folder;
+  testing::write_file(folder / "a", "");
+  std::filesystem::create_symlink("a", folder / "link");
+  const auto error = [&](const std::filesystem::path& out, const std::filesystem::path& record) {
+    return error_of([&] {
+      check_all_differ(
+          std::array{FileToWrite{"--out", out}, FileToWrite{"--json", {}}, FileToWrite{"--record", record}});
+    });
+  };
+  EXPECT_EQ(error("b.jsonl", "b.jsonl"), "--record: b.jsonl: is the file of --out, too; name another one");
+  EXPECT_NE(error("b.jsonl", std::filesystem::current_path() / "b.jsonl"), "");
+  EXPECT_NE(error(folder / "a", folder / "link"), "");
+  EXPECT_NE(error(folder / "new", folder / "./new"), "");
+  EXPECT_EQ(error(folder / "a", folder / "b"), "");
+  EXPECT_EQ(error("/dev/null", "/dev/null"), "");
+}
+
 }  // namespace
 }  // namespace scanbed::scenarios

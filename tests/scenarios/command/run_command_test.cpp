@@ -158,6 +158,7 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
   refused({"run", scenario(kEasy), "--preset", "rubust"});
   refused({"run", scenario(kEasy), "--config", "/nowhere.yaml"});
+  refused({"run", scenario(kEasy), "--json", "x.jsonl", "--record", "x.jsonl"});
   // A name with control characters stays one line too.
   refused({"run", "a\nb"});
 }
@@ -167,6 +168,21 @@ TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"}).exit_code, 3);
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/dev/full"}).exit_code, 3);
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--out", "/dev/null/x"}).exit_code, 3);
+}
+
+TEST_F(RunTest, KnowsBeforeItRunsWhatCannotBeWritten) {
+  const Outcome outcome = run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "scanbed: error: /nowhere/r.json: cannot be written: No such file or directory\n");
+}
+
+TEST_F(RunTest, CallsAPictureThatCannotBeWrittenAFault) {
+  const std::string file = scenario(kEasy + "outputs: {pictures: {top: [1]}}\n");
+  std::filesystem::create_directories(folder_ / "p/easy_top_1s.png");
+  const Outcome outcome = run_program({"run", file, "--out", (folder_ / "p").string()});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find("easy_top_1s.png: is a folder, not a file"), std::string::npos) << outcome.err;
 }
 
 TEST_F(RunTest, TakesPicturesOnlyWhereAFolderIsGiven) {
