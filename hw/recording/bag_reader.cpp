@@ -211,6 +211,7 @@ class BagSource final : public ScanSource {
     const bool is_wanted = only_.empty() || connection.source == only_;
     const auto is = [&](const RosType& known) { return type == known.name && md5 == known.md5; };
     if (is(kLaserScanType) && is_wanted) connection.content = Content::kScan;
+    if (is(kLaserScanType) && !is_wanted) left_out_.add(connection.source);
     if (is(kTransformType)) connection.content = Content::kTransform;
     if (connection.source == "scan") connection.source.clear();
     connections_.insert_or_assign(id, std::move(connection));

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "hw/recording/field_reader.hpp"
+#include "hw/recording/left_out_sources.hpp"
 #include "hw/recording/line_reader.hpp"
 
 namespace scanbed::hw {
@@ -14,6 +16,7 @@ struct CarmenLog::Impl {
   Report report;
   LineReader lines;
   CarmenLogCounts counts;
+  LeftOutSources left_out;
   LaserScan scan;         // read last; the next one to give where is_ahead
   ScanGeometry geometry;  // of the last scan; that of `scan` may be a damaged line's
   bool is_ahead = false;  // the first scan is read before it is asked for
@@ -21,11 +24,17 @@ struct CarmenLog::Impl {
 
   bool read_scan();
   CarmenLine read_line(const TextLine& line);
+  void leave_out(const TextLine& line);
 };
 
 CarmenLine CarmenLog::Impl::read_line(const TextLine& line) {
   if (!line.is_too_long) return parse_carmen_line(line.text, options, scan);
   return {.kind = CarmenLine::Kind::kDamaged, .has_time = false, .damage = "longer than 1 MiB"};
+}
+
+void CarmenLog::Impl::leave_out(const TextLine& line) {
+  const std::string_view message = FieldReader(line.text).word();
+  if (is_carmen_message(message)) left_out.add(message);
 }
 
 /// Reads the next scan into `scan`; false at the end.
@@ -38,6 +47,7 @@ bool CarmenLog::Impl::read_scan() {
         break;
       case CarmenLine::Kind::kOther:
         ++counts.num_other_lines;
+        if (counts.num_scans == 0) leave_out(line);
         break;
       case CarmenLine::Kind::kDamaged:
         ++counts.num_damaged_lines;
@@ -65,13 +75,13 @@ CarmenLog::CarmenLog(std::unique_ptr<ByteStream> bytes, std::string name, const 
                      .report = std::move(report),
                      .lines = LineReader(unpack(std::move(bytes))),
                      .counts = {},
+                     .left_out = {},
                      .scan = {}}) {
   options.validate();
   impl_->is_ahead = impl_->read_scan();
   if (impl_->is_ahead) return;
-  throw InputError(impl_->name + ": holds no scan of a CARMEN log" +
-                   (options.only.empty() ? "" : " named " + options.only) + " (" +
-                   std::to_string(impl_->counts.num_damaged_lines) + " damaged lines, " +
+  throw InputError(impl_->name + ": holds no scan of a CARMEN log" + impl_->left_out.text(options.only) +
+                   " (" + std::to_string(impl_->counts.num_damaged_lines) + " damaged lines, " +
                    std::to_string(impl_->counts.num_other_lines) + " others)");
 }
 

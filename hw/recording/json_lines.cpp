@@ -189,6 +189,7 @@ class JsonLinesSource final : public ScanSource {
         read_scan(json, out);
         if (!only_.empty() && out.scan.source != only_) {
           ++counts_.num_other_lines;
+          left_out_.add(out.scan.source);
           return false;
         }
         ++counts_.num_scans;

@@ -220,7 +220,10 @@ class McapSource final : public ScanSource {
     Channel channel;
     if (schema != schemas_.end() && encoding == "json") channel.content = schema->second;
     channel.scan_topic = scan_topic_of(topic, channel.content);
-    if (!only_.empty() && channel.scan_topic != only_) channel.content = Content::kOther;
+    if (!only_.empty() && channel.scan_topic != only_) {
+      if (channel.content == Content::kScan) left_out_.add(channel.scan_topic);
+      channel.content = Content::kOther;
+    }
     channels_.insert_or_assign(id, std::move(channel));
   }
 

@@ -99,7 +99,7 @@ std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, co
       source = read_json_lines(std::move(peeked), name, {.only = options.only}, std::move(report));
       break;
   }
-  return std::make_unique<StreamedReader>(std::move(source), name);
+  return std::make_unique<StreamedReader>(std::move(source), name, options.only);
 }
 
 std::unique_ptr<ScanWriter> create_recording(const std::filesystem::path& path,

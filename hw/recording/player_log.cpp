@@ -140,6 +140,7 @@ class PlayerSource final : public ScanSource {
     const bool is_wanted = only_.empty() || only_ == device || only_ == source;
     if (!is_scan(prefix) || !is_wanted) {
       ++counts_.num_other_lines;
+      if (is_scan(prefix)) left_out_.add(source.empty() ? device : source);
       return false;
     }
     read_message(fields, prefix, out.scan);

@@ -6,6 +6,7 @@
 #include "core/detect/features.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "core/scan/truth.hpp"
+#include "hw/recording/left_out_sources.hpp"
 #include "hw/recording/scan_reader.hpp"
 
 namespace scanbed::hw {
@@ -32,10 +33,12 @@ class ScanSource {
 
   const RecordingCounts& counts() const { return counts_; }
   const RecordingMetadata& metadata() const { return metadata_; }
+  const LeftOutSources& left_out() const { return left_out_; }
 
  protected:
   RecordingCounts counts_;
   RecordingMetadata metadata_;
+  LeftOutSources left_out_;  // what has scans that were not asked for
 };
 
 }  // namespace scanbed::hw

@@ -7,11 +7,13 @@
 
 namespace scanbed::hw {
 
-StreamedReader::StreamedReader(std::unique_ptr<ScanSource> source, std::string name)
+StreamedReader::StreamedReader(std::unique_ptr<ScanSource> source, const std::string& name,
+                               const std::string& only)
     : source_(std::move(source)) {
   is_ahead_ = read();
   if (is_ahead_) return;
-  throw InputError(name + ": holds no scan (" + std::to_string(counts_.num_damaged_lines) + " damaged, " +
+  throw InputError(name + ": holds no scan" + source_->left_out().text(only) + " (" +
+                   std::to_string(counts_.num_damaged_lines) + " damaged, " +
                    std::to_string(counts_.num_other_lines) + " other lines or records)");
 }
 

@@ -12,9 +12,10 @@ namespace scanbed::hw {
 /// The scans of a ScanSource as a sensor.
 class StreamedReader final : public ScanReader {
  public:
-  /// Reads on to the first scan. @param name  of the recording, for messages.
+  /// Reads on to the first scan. @param name, only  of the recording and of the source that alone is read, if
+  ///                                one is; for messages.
   /// @throws InputError where there is no scan, or what the source throws before the first one.
-  StreamedReader(std::unique_ptr<ScanSource> source, std::string name);
+  StreamedReader(std::unique_ptr<ScanSource> source, const std::string& name, const std::string& only = {});
 
   const ScanGeometry& geometry() const override { return given_.scan.geometry; }
   bool next(LaserScan& scan, Seconds timeout) override;

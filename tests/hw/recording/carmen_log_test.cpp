@@ -177,7 +177,8 @@ TEST(CarmenLogTest, RefusesALogWithoutScans) {
             "x.log: holds no scan of a CARMEN log (1 damaged lines, 1 others)");
   EXPECT_EQ(read_all(gzip("")).error, "x.log: holds no scan of a CARMEN log (0 damaged lines, 0 others)");
   EXPECT_EQ(read_all(line(1), {.only = "RAWLASER1"}).error,
-            "x.log: holds no scan of a CARMEN log named RAWLASER1 (0 damaged lines, 1 others)");
+            "x.log: holds no scan of a CARMEN log with only=RAWLASER1; it has scans of FLASER (0 damaged "
+            "lines, 1 others)");
 }
 
 TEST(CarmenLogTest, RefusesBadOptionsAndMissingFiles) {

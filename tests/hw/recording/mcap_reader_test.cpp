@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hw/recording/byte_sink.hpp"
 #include "hw/recording/mcap_message.hpp"
 #include "tests/hw/recording/made_recording.hpp"
 
@@ -119,6 +120,17 @@ TEST(McapReaderTest, ReportsOnceWhatStandsBehindItsEnd) {
       reading.reports,
       std::vector<std::string>{"x.mcap: record at byte " + std::to_string(one.size()) +
                                " skipped: stands behind the end of the recording, as all that follows does"});
+}
+
+TEST(McapReaderTest, SaysThatItsCompressionIsDamagedUpToItsLastByte) {
+  const TemporaryFolder folder;
+  const auto sink = pack_gzip(std::make_unique<FileSink>(folder / "x.gz"));
+  sink->append(recorded("x.mcap", made_scans(3)));
+  sink->finish();
+  std::string packed = bytes_of(folder / "x.gz");
+  EXPECT_EQ(read_all(packed, "x.mcap").error, "");
+  packed[packed.size() - 8] ^= 1;  // its checksum
+  EXPECT_EQ(read_all(packed, "x.mcap").error, "x.mcap: compressed data is damaged after 3 scans");
 }
 
 TEST(McapReaderTest, AbsurdLengthsAreRefusedAtOnce) {

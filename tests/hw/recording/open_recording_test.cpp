@@ -138,6 +138,17 @@ TEST(OpenRecordingTest, OneSourceAloneCanBeRead) {
   }
 }
 
+TEST(OpenRecordingTest, SaysWhichSourcesThereAreWhereNoneIsTheOneAskedFor) {
+  std::vector<LaserScan> scans = made_scans(2);
+  scans[0].source = "front";
+  scans[1].source = "rear";
+  for (const char* name : {"x.jsonl", "x.mcap", "x.bag", "x.player"}) {
+    const std::string error = read_all(recorded(name, scans), name, {.only = "top"}).error;
+    EXPECT_NE(error.find("holds no scan with only=top; it has scans of front, rear ("), std::string::npos)
+        << error;
+  }
+}
+
 TEST(OpenRecordingTest, WhatTheSensorSaysOfItselfComesBackWhereTheFormatHasIt) {
   std::vector<LaserScan> scans = made_scans(3);
   scans[1].health = {.severity = 2, .is_polluted = true};
