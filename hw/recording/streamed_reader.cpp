@@ -21,10 +21,19 @@ bool StreamedReader::read() {
   if (is_over_) return false;
   // Until the source says otherwise: after a failure there is nothing to read either.
   is_over_ = true;
-  const bool is_there = source_->read(spare_);
   const std::int64_t num_scans = counts_.num_scans;
-  counts_ = source_->counts();
-  counts_.num_scans = num_scans + static_cast<std::int64_t>(is_there);
+  const auto take_counts = [&](bool is_there) {
+    counts_ = source_->counts();
+    counts_.num_scans = num_scans + static_cast<std::int64_t>(is_there);
+  };
+  bool is_there = false;
+  try {
+    is_there = source_->read(spare_);
+  } catch (...) {
+    take_counts(false);  // what was skipped before the failure counts too
+    throw;
+  }
+  take_counts(is_there);
   if (!is_there) return false;
   std::swap(given_, spare_);
   given_.scan.index = num_scans;

@@ -15,7 +15,10 @@ class FakeSource final : public ScanSource {
 
   bool read(RecordedScan& out) override {
     out = {};  // a source may leave anything behind where there is no scan
-    if (num_read_ == num_scans_ && fails_) throw InputError("x: cut off");
+    if (num_read_ == num_scans_ && fails_) {
+      ++counts_.num_damaged_lines;
+      throw InputError("x: cut off");
+    }
     if (num_read_ == num_scans_) return false;
     out.scan = made_scan(num_read_);
     out.scan.index = 99;
@@ -64,6 +67,8 @@ TEST(StreamedReaderTest, AFailureComesOnceAfterTheScansBeforeIt) {
   EXPECT_TRUE(reader.next(scan, {}));
   EXPECT_THROW(reader.next(scan, {}), InputError);
   EXPECT_FALSE(reader.next(scan, {}));
+  EXPECT_EQ(reader.counts().num_scans, 1);
+  EXPECT_EQ(reader.counts().num_damaged_lines, 1);
 }
 
 TEST(StreamedReaderTest, RefusesARecordingWithoutScans) {
