@@ -11,7 +11,8 @@ namespace {
 
 constexpr char kStart = '\x02';
 constexpr char kEnd = '\x03';
-constexpr std::size_t kLongestBody = 128 * 1024;
+constexpr std::size_t kBinaryStarts = 4;
+constexpr std::size_t kLongestBody = std::size_t{128} * 1024;
 
 constexpr std::array<const char*, 18> kErrors = {"no error",
                                                  "method access denied",
@@ -43,6 +44,10 @@ Bytes frame_cola(std::string_view body) {
 
 void ColaReader::feed(ByteView bytes) {
   buffer_.append(bytes.begin(), bytes.end());
+  for (const std::uint8_t byte : bytes) {
+    num_starts_ = byte == kStart ? num_starts_ + 1 : 0;
+    is_binary_ = is_binary_ || num_starts_ == kBinaryStarts;
+  }
 }
 
 bool ColaReader::next(std::string& body) {

@@ -22,8 +22,13 @@ class ColaReader {
   /// The next whole body; false where none is complete.
   bool next(std::string& body);
 
+  /// Whether four STX came in a row, with which frames of CoLa B begin.
+  bool is_binary() const { return is_binary_; }
+
  private:
   std::string buffer_;
+  std::size_t num_starts_ = 0;  // STX in a row at the end of what was fed
+  bool is_binary_ = false;
 };
 
 /// Fields of a body, cut at single blanks.

@@ -131,14 +131,11 @@ bool ColaClient::next_body(std::string& body, double deadline_s) {
     const double left_s = deadline_s - steady_now_s();
     if (left_s < 0.0) return false;
     const std::size_t count = link_.read(buffer, left_s, stop_);
-    const ByteView bytes = ByteView(buffer).first(count);
-    // Frames of CoLa B begin with four of them.
-    if (count >= 4 &&
-        std::all_of(bytes.begin(), bytes.begin() + 4, [](std::uint8_t b) { return b == 0x02; })) {
+    reader_.feed(ByteView(buffer).first(count));
+    if (reader_.is_binary()) {
       throw DeviceRefusal(
           "the sensor speaks CoLa B here; set it to CoLa A, or try the other port (2111, 2112)");
     }
-    reader_.feed(bytes);
   }
   return true;
 }

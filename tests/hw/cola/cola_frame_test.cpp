@@ -52,6 +52,22 @@ TEST(ColaFrameTest, AnEndlessFrameIsDropped) {
   EXPECT_EQ(body, "ok");
 }
 
+TEST(ColaFrameTest, FourStartsInARowAreCoLaB) {
+  const Bytes binary = tests::from_hex("02 02 02 02 00 00 00 05 73 46 41 00 03 7B");
+  ColaReader whole;
+  whole.feed(binary);
+  EXPECT_TRUE(whole.is_binary());
+  ColaReader pieces;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_FALSE(pieces.is_binary());
+    pieces.feed(ByteView(binary).subspan(i, 1));
+  }
+  EXPECT_TRUE(pieces.is_binary());
+  ColaReader text;
+  text.feed(bytes_of("\x02\x02\x02sRA a\x03\x02sRA b\x03"));
+  EXPECT_FALSE(text.is_binary());
+}
+
 TEST(ColaTokensTest, NumbersAreThoseOfTheListing) {
   ColaTokens tokens("FFF92230 225510 3F800000 40000000 1388 x 123456789 -1");
   EXPECT_EQ(tokens.next_signed(), -450000);
