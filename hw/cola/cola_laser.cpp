@@ -14,7 +14,6 @@ namespace scanbed::hw {
 namespace {
 
 constexpr const char* kClientPassword = "F4724744";
-constexpr double kPollPause_s = 0.5;
 constexpr int kMostDamaged = 5;
 constexpr std::uint32_t kMeasuring = 7;
 
@@ -22,10 +21,24 @@ bool is_error(const std::string& answer) {
   return answer.starts_with("sFA");
 }
 
-std::string error_of(const std::string& answer) {
+std::uint32_t error_code(const std::string& answer) {
   ColaTokens tokens(answer);
   tokens.next();
-  return cola_error_text(tokens.next_hex().value_or(6));
+  return tokens.next_hex().value_or(6);
+}
+
+/// Whether an error says that the sensor does not know or not allow what was asked. All others may pass: it
+/// is busy, or this is the answer to a client that was here before and is gone.
+bool is_lasting_error(const std::string& answer) {
+  constexpr std::array<std::uint32_t, 7> kLasting = {0x1, 0x2, 0x3, 0xA, 0xB, 0xC, 0xF};
+  return is_error(answer) && std::ranges::count(kLasting, error_code(answer)) > 0;
+}
+
+/// @throws DeviceRefusal where the error lasts, or SensorFault, after which another attempt may succeed.
+[[noreturn]] void refuse(const std::string& what, const std::string& answer) {
+  const std::string text = "the sensor refused " + what + ": " + cola_error_text(error_code(answer));
+  if (is_lasting_error(answer)) throw DeviceRefusal(text);
+  throw SensorFault(SensorFault::Kind::kProtocol, text);
 }
 
 /// The number at the end of an answer such as "sAN SetAccessMode 1".
@@ -36,19 +49,26 @@ std::uint32_t result_of(const std::string& answer, std::uint32_t if_none) {
   return tokens.next_hex().value_or(if_none);
 }
 
+/// False where the sensor does not let anybody in.
 bool log_in(ColaClient& client) {
   const std::string answer = client.ask(std::string("sMN SetAccessMode 03 ") + kClientPassword);
+  if (is_error(answer) && !is_lasting_error(answer)) refuse("the log-in", answer);
   return !is_error(answer) && result_of(answer, 0) == 1;
 }
 
 /// An LMS tells when its motor is up; a TiM does not know the question and scans by itself.
-/// @param patience_s  0 where nobody told the motor to start: then there is nothing to wait for.
-void wait_for_motor(ColaClient& client, double patience_s, const StopSignal& stop) {
-  const double deadline_s = steady_now_s() + patience_s;
-  while (true) {
-    const std::string answer = client.ask("sRN STlms");
-    if (is_error(answer) || result_of(answer, kMeasuring) == kMeasuring) return;
-    if (patience_s <= 0.0) {
+bool measures(ColaClient& client) {
+  const std::string answer = client.ask("sRN STlms");
+  if (is_error(answer)) return is_lasting_error(answer);
+  return result_of(answer, kMeasuring) == kMeasuring;
+}
+
+/// Waits also where the log-in was refused: after power-on the motor starts by itself.
+void wait_for_motor(ColaClient& client, bool is_logged_in, const ColaOptions& options,
+                    const StopSignal& stop) {
+  const double deadline_s = steady_now_s() + options.spin_up_s;
+  while (!measures(client)) {
+    if (steady_now_s() > deadline_s && !is_logged_in) {
       throw DeviceRefusal(
           "the sensor does not measure, and refused the log-in as authorised client; was its password "
           "changed?");
@@ -56,7 +76,7 @@ void wait_for_motor(ColaClient& client, double patience_s, const StopSignal& sto
     if (steady_now_s() > deadline_s) {
       throw SensorFault(SensorFault::Kind::kTimeout, "the sensor does not begin to measure");
     }
-    stop.sleep(kPollPause_s);
+    stop.sleep(options.poll_s);
   }
 }
 
@@ -71,9 +91,9 @@ void start(ColaClient& client, const ColaOptions& options, const StopSignal& sto
     client.ask("sMN LMCstartmeas");
     client.ask("sMN Run");  // while logged in, an LMS sends nothing
   }
-  wait_for_motor(client, is_logged_in ? options.spin_up_s : 0.0, stop);
+  wait_for_motor(client, is_logged_in, options, stop);
   const std::string answer = client.ask("sEN LMDscandata 1");
-  if (is_error(answer)) throw DeviceRefusal("the sensor refused to stream: " + error_of(answer));
+  if (is_error(answer)) refuse("to stream", answer);
 }
 
 void stream(ColaClient& client, const RecoveringLaser::Give& give) {
@@ -116,6 +136,7 @@ void attempt(const ColaOptions& options, const RecoveringLaser::Give& give, cons
 void ColaOptions::validate() const {
   if (host.empty()) throw InputError("cola: no host; write cola:192.168.0.1");
   require(port > 0 && port <= 65535, "cola.port", port, "[1, 65535]");
+  require(poll_s > 0.0, "cola.poll_s", poll_s, "> 0");
 }
 
 ColaClient::ColaClient(ByteLink& link, double reply_s, const StopSignal& stop)

@@ -18,6 +18,7 @@ struct ColaOptions {
   double connect_s = 5.0;
   double reply_s = 5.0;     ///< for an answer; a sensor that lost its client may take long
   double spin_up_s = 60.0;  ///< for the motor, after power-on
+  double poll_s = 0.5;      ///< between two questions whether the motor is up
   RecoveryOptions recovery;
 
   void validate() const;  ///< @throws InputError naming the first field out of range

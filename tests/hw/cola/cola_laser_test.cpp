@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "core/errors/input_error.hpp"
 #include "hw/cola/emulated_cola.hpp"
 #include "tests/support/running_device.hpp"
@@ -20,6 +22,7 @@ ColaOptions network(int port) {
   ColaOptions options;
   options.host = "127.0.0.1";
   options.port = port;
+  options.poll_s = 0.01;
   options.recovery.pause_s = 0.05;
   return options;
 }
@@ -69,9 +72,75 @@ TEST(ColaLaserTest, ConnectsAgainWhereTheSensorWentAway) {
   for (int i = 0; i < 200; ++i) ASSERT_TRUE(laser->next(scan, kPatience));
 }
 
-TEST(ColaLaserTest, ARefusedPasswordIsTheEnd) {
+TEST(ColaLaserTest, ARefusedPasswordIsTheEndWhereTheMotorStandsStill) {
   WideSensor source;
-  EmulatedCola sensor({.refuses_password = true}, source);
+  EmulatedCola sensor({.num_spin_up_polls = 1000000, .refuses_password = true}, source);
+  RunningDevice running(sensor);
+  ColaOptions options = network(running.port());
+  options.spin_up_s = 0.1;
+  const auto laser = open_cola(options);
+  LaserScan scan;
+  EXPECT_THROW(laser->next(scan, kPatience), DeviceRefusal);
+}
+
+TEST(ColaLaserTest, WaitsForTheMotorAlsoWhereTheLogInIsRefused) {
+  WideSensor source;
+  EmulatedCola sensor({.is_paced = false, .num_spin_up_polls = 5, .refuses_password = true}, source);
+  RunningDevice running(sensor);
+  const auto laser = open_cola(network(running.port()));
+  expect_true_scans(*laser, 5, 541);
+}
+
+/// An emulated sensor that answers one request with an error, for some times.
+class RefusingCola final : public ByteDevice {
+ public:
+  RefusingCola(ByteDevice& sensor, std::string request, std::string error, int num_times)
+      : sensor_(sensor), request_(std::move(request)), error_(std::move(error)), num_times_(num_times) {}
+
+  void receive(ByteView bytes, double now_s) override {
+    reader_.feed(bytes);
+    for (std::string body; reader_.next(body);) {
+      const bool is_refused = body.starts_with(request_) && num_refused < num_times_;
+      if (is_refused) refusal_ = frame_cola(error_);
+      num_refused += is_refused ? 1 : 0;
+      if (!is_refused) sensor_.receive(frame_cola(body), now_s);
+    }
+  }
+  void run(double now_s, Bytes& out) override {
+    out.insert(out.end(), refusal_.begin(), refusal_.end());
+    refusal_.clear();
+    sensor_.run(now_s, out);
+  }
+  double next_event_s() const override { return sensor_.next_event_s(); }
+  void hang_up() override { sensor_.hang_up(); }
+
+  std::atomic<int> num_refused = 0;
+
+ private:
+  ByteDevice& sensor_;
+  std::string request_;
+  std::string error_;
+  int num_times_;
+  ColaReader reader_;
+  Bytes refusal_;
+};
+
+TEST(ColaLaserTest, AsksABusySensorAgain) {
+  for (const char* request : {"sMN SetAccessMode", "sRN STlms", "sEN LMDscandata 1"}) {
+    WideSensor source;
+    EmulatedCola emulated({.is_paced = false}, source);
+    RefusingCola sensor(emulated, request, "sFA D", 2);
+    RunningDevice running(sensor);
+    const auto laser = open_cola(network(running.port()));
+    expect_true_scans(*laser, 2, 541);
+    EXPECT_EQ(sensor.num_refused, 2) << request;
+  }
+}
+
+TEST(ColaLaserTest, AsksNoMoreWhereTheSensorDoesNotKnowItsScans) {
+  WideSensor source;
+  EmulatedCola emulated({}, source);
+  RefusingCola sensor(emulated, "sEN LMDscandata 1", "sFA F", 1);
   RunningDevice running(sensor);
   const auto laser = open_cola(network(running.port()));
   LaserScan scan;
@@ -92,6 +161,9 @@ TEST(ColaLaserTest, StreamsFromATimThatRefusesTheLogIn) {
 TEST(ColaLaserTest, RefusesBadOptions) {
   EXPECT_THROW(open_cola({}), InputError);
   EXPECT_THROW(open_cola(network(70000)), InputError);
+  ColaOptions options = network(2111);
+  options.poll_s = 0.0;
+  EXPECT_THROW(open_cola(options), InputError);
 }
 
 }  // namespace
