@@ -36,6 +36,7 @@ struct SickLms::Impl {
   void work();
   bool try_again(const SensorFault& fault);
   void attempt();
+  void leave(SerialPort& port) const;
   void open_and_stream(SerialPort& port);
   void stream(LmsLink& link, const LmsConfiguration& configuration);
   bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
@@ -140,13 +141,18 @@ void SickLms::Impl::attempt() {
   try {
     open_and_stream(port);
   } catch (const Stopped&) {
-    end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0,
-               options.patience.close_s);
+    leave(port);
     throw;
   } catch (const LmsRefusal&) {
-    end_stream(port, 0, options.patience.close_s);
+    leave(port);
     throw;
   }
+}
+
+/// Leaves the sensor quiet, and at the baud that it was found at.
+void SickLms::Impl::leave(SerialPort& port) const {
+  end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0,
+             options.patience.close_s);
 }
 
 void SickLms::Impl::open_and_stream(SerialPort& port) {

@@ -234,6 +234,20 @@ TEST(SickLmsTest, ARefusalIsTheEnd) {
   EXPECT_EQ(fault_of(laser, kind), message);
 }
 
+TEST(SickLmsTest, GivesTheBaudBackAlsoAfterARefusal) {
+  EmulatorOptions sensor = quick_sensor();
+  sensor.faults = {{LmsFaultKind::kRefuse, 0.0}, {LmsFaultKind::kRefuse, 0.0}};
+  RunningEmulator emulator(sensor);
+  SickOptions options = quick_driver(emulator.port());
+  options.patience.close_s = kPatience.count();
+  {
+    SickLms laser(options);
+    LaserScan scan;
+    EXPECT_THROW(laser.next(scan, kPatience), SensorFault);
+  }
+  EXPECT_EQ(emulator.end().baud(), 9600);
+}
+
 TEST(SickLmsTest, SaysThatNothingAnswers) {
   PseudoTerminal nobody({});
   SickOptions options = quick_driver(nobody.path());
