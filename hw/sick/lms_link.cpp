@@ -18,6 +18,8 @@ constexpr std::int64_t kMostGarbageAfterAck = 32;
 // Nothing is read for longer in one go, so that half a telegram expires in time.
 constexpr double kLongestRead_s = 0.5 * TelegramDecoder::kExpiry_s;
 constexpr std::size_t kReadBytes = 4096;
+constexpr std::size_t kLargePieceBytes = kReadBytes / 4;
+constexpr std::size_t kMostBytesAtOnce = 16 * kReadBytes;
 // Ends before the telegram does, since the end tells when it arrived.
 constexpr double kRestedPart = 0.8;
 constexpr double kShortestRest_s = 0.003;
@@ -63,20 +65,27 @@ void LmsLink::rest(double longest_s) const {
   if (rests_ && rest_s >= kShortestRest_s) stop_.sleep(rest_s);
 }
 
-bool LmsLink::next_item(WireItem& item, double deadline_s) {
+/// Feeds the decoder what the port has, waiting for it. What lies in the port behind a large piece belongs to
+/// the same moment: it is read along, so that its telegrams are seen to have arrived together.
+bool LmsLink::read(double timeout_s) {
   std::array<std::uint8_t, kReadBytes> buffer{};
+  std::size_t num_read = 0;
+  std::size_t count = port_.read(buffer, timeout_s, stop_);
+  for (; count > 0; count = port_.read(buffer, 0.0, stop_)) {
+    last_read_s_ = steady_now_s();
+    decoder_.feed(ByteView(buffer).first(count), last_read_s_);
+    num_read += count;
+    if (count < kLargePieceBytes || num_read >= kMostBytesAtOnce) break;
+  }
+  return num_read > 0;
+}
+
+bool LmsLink::next_item(WireItem& item, double deadline_s) {
   while (!decoder_.next(item)) {
     const double left_s = deadline_s - steady_now_s();
     if (left_s < 0.0) return false;
     rest(std::min(left_s, kLongestRead_s));
-    const std::size_t count = port_.read(buffer, std::min(left_s, kLongestRead_s), stop_);
-    const double now_s = steady_now_s();
-    if (count > 0) {
-      last_read_s_ = now_s;
-      decoder_.feed(ByteView(buffer).first(count), now_s);
-    } else {
-      decoder_.expire(now_s);
-    }
+    if (!read(std::min(left_s, kLongestRead_s))) decoder_.expire(steady_now_s());
   }
   return true;
 }

@@ -64,8 +64,8 @@ class LmsLink {
   /// Changes the port's own baud and forgets what arrived at the old one.
   void set_baud(int baud);
 
-  /// Waits for the next telegram; false where `timeout_s` passes first. `arrival_s` is when its last byte was
-  /// there (steady_now_s).
+  /// Waits for the next telegram; false where `timeout_s` passes first. `arrival_s` is when it was read
+  /// (steady_now_s); what was read along is told by the item's bytes behind.
   bool next_telegram(WireItem& item, double timeout_s, double& arrival_s);
 
   /// From now on sleeps while most of a telegram whose beginning is there arrives, so that it is not woken
@@ -89,6 +89,7 @@ class LmsLink {
   static bool is_answer(ByteView body, std::size_t index, std::optional<LmsReply>& reply);
   std::optional<Try> judge(const WireItem& item, Wait& wait, std::optional<LmsReply>& reply);
   Try wait_for_reply(std::size_t index, const Ask& how, std::optional<LmsReply>& reply);
+  bool read(double timeout_s);
   bool next_item(WireItem& item, double deadline_s);
   void rest(double longest_s) const;
 

@@ -45,20 +45,21 @@ void ScanAssembler::stamp(double first_beam_s, LaserScan& scan) const {
   scan.source.clear();
 }
 
-ScanAssembler::Outcome ScanAssembler::take(ByteView body, double arrival_s, LaserScan& scan) {
+ScanAssembler::Outcome ScanAssembler::take(ByteView body, const TelegramArrival& arrival, LaserScan& scan) {
   if (!parse_scan(body, telegram_) || !matches(telegram_, expected_)) return Outcome::kRefused;
   const std::size_t num_bytes = body.size() + kFrameBytes;
-  if (expected_.is_partial) return take_turn(arrival_s, num_bytes, scan);
-  stamp(clock_.first_beam_s(arrival_s, num_bytes, geometry_), scan);
+  if (expected_.is_partial) return take_turn(arrival, num_bytes, scan);
+  stamp(clock_.first_beam_s(arrival, num_bytes, geometry_), scan);
   scan.health = telegram_.status.health();
   scan.range_m.resize(telegram_.words.size());
   decode_lms_words(telegram_.words, expected_.unit, format_, scan.range_m);
   return Outcome::kScan;
 }
 
-ScanAssembler::Outcome ScanAssembler::take_turn(double arrival_s, std::size_t num_bytes, LaserScan& scan) {
+ScanAssembler::Outcome ScanAssembler::take_turn(const TelegramArrival& arrival, std::size_t num_bytes,
+                                                LaserScan& scan) {
   const unsigned turn = 1U << telegram_.partial;
-  const double turn_s = clock_.first_beam_s(arrival_s, num_bytes, turn_geometry_);
+  const double turn_s = clock_.first_beam_s(arrival, num_bytes, turn_geometry_);
   // Scans begin with turn 0; where a slow link leaves turns out, the others come in another order. A turn
   // that is there already belongs to another scan.
   if ((turns_ & turn) != 0) forget_turns();

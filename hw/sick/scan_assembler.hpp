@@ -19,9 +19,8 @@ class ScanAssembler {
 
   enum class Outcome { kScan, kPart, kRefused };
 
-  /// @param arrival_s  when the telegram was complete.
   /// @returns kScan where `scan` is a new one, all but its index.
-  Outcome take(ByteView body, double arrival_s, LaserScan& scan);
+  Outcome take(ByteView body, const TelegramArrival& arrival, LaserScan& scan);
 
   /// Gives up the turns of a scan that is not complete: where damage came between, the next ones may be
   /// another scan's.
@@ -33,7 +32,7 @@ class ScanAssembler {
   std::int64_t num_incomplete() const { return num_incomplete_; }
 
  private:
-  Outcome take_turn(double arrival_s, std::size_t num_bytes, LaserScan& scan);
+  Outcome take_turn(const TelegramArrival& arrival, std::size_t num_bytes, LaserScan& scan);
   void stamp(double first_beam_s, LaserScan& scan) const;
 
   ScanExpectation expected_;

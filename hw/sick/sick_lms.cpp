@@ -27,6 +27,15 @@ SickOptions validated(const SickOptions& options) {
   return options;
 }
 
+/// A scan's longest telegram on the wire.
+double telegram_s(const SickOptions& options) {
+  return (2.0 * options.variant().num_beams() + 12.0) * 10.0 / options.baud;
+}
+
+double scan_s(const ScanGeometry& geometry) {
+  return geometry.timing.num_rotations * geometry.timing.rotation_s;
+}
+
 }  // namespace
 
 struct SickLms::Impl {
@@ -48,7 +57,8 @@ struct SickLms::Impl {
 
   const SickOptions options;
   const ScanGeometry geometry;
-  const double start_s = steady_now_s();
+  // A first scan may have begun before this did, and its time must not be negative: recordings have none.
+  const double start_s = steady_now_s() - telegram_s(options) - scan_s(geometry);
   StopSignal stop;
 
   // Of the worker alone.
@@ -184,8 +194,7 @@ void SickLms::Impl::count(const LmsLink& link) {
 void SickLms::Impl::stream(LmsLink& link, const LmsConfiguration& configuration) {
   const LmsWordFormat format = lms_word_format(configuration.measuring_mode()).value_or(LmsWordFormat{});
   ScanAssembler assembler(options, format, configuration.sends_indices());
-  const double telegram_s = (2.0 * options.variant().num_beams() + 12.0) * 10.0 / options.baud;
-  const double limit_s = options.patience.silence_s + 3.0 * telegram_s;
+  const double limit_s = options.patience.silence_s + 3.0 * telegram_s(options);
   double last_good_s = steady_now_s();
   // An emulator that waits for its host does not keep to its baud: it is read without rest. On a busy machine
   // it may also stand still in a telegram, and that is no reason to lose it.
@@ -210,7 +219,7 @@ void SickLms::Impl::stream(LmsLink& link, const LmsConfiguration& configuration)
 
 /// Whether the telegram was a good one of the stream.
 bool SickLms::Impl::handle(const WireItem& item, double arrival_s, ScanAssembler& assembler) {
-  switch (assembler.take(item.body, arrival_s - start_s, scan)) {
+  switch (assembler.take(item.body, {arrival_s - start_s, item.num_bytes_behind}, scan)) {
     case ScanAssembler::Outcome::kScan:
       push(scan);
       return true;

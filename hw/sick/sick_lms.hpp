@@ -50,7 +50,8 @@ class SickLms final : public RangeSensor {
   /// From the options; the sensor's measuring mode may yet extend the greatest range.
   const ScanGeometry& geometry() const override;
 
-  /// Times are seconds since construction. False once stop() was called.
+  /// Times are seconds since a scan and its telegram before construction, and never negative. False once
+  /// stop() was called.
   /// @throws SensorFault kTimeout where no scan comes in time, saying what the driver is at.
   /// @throws SensorFault of another kind where it gave up: port or sensor not found at the start, or a
   ///         setting that the sensor refuses.

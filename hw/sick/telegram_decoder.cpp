@@ -63,6 +63,7 @@ bool TelegramDecoder::next(WireItem& item) {
       item = {
           .kind = WireItem::Kind::kTelegram, .address = rest[1], .body = rest.subspan(4, read_word(rest, 2))};
       head_ += item.body.size() + kFrameBytes;
+      item.num_bytes_behind = buffer_.size() - head_;
       ++counts_.num_telegrams;
       return true;
     }

@@ -13,6 +13,7 @@ struct WireItem {
   Kind kind = Kind::kTelegram;
   std::uint8_t address = 0;  ///< of a telegram
   ByteView body;             ///< of a telegram: command, data, status; valid until the next feed() or clear()
+  std::size_t num_bytes_behind = 0;  ///< a telegram's, that were fed and not looked at yet
 };
 
 /// Counted since construction.

@@ -18,7 +18,7 @@ using namespace scanbed::hw;
 
 void check_scan(ScanAssembler& assembler, ByteView body) {
   LaserScan scan;
-  if (assembler.take(body, 1.0, scan) != ScanAssembler::Outcome::kScan) return;
+  if (assembler.take(body, {1.0}, scan) != ScanAssembler::Outcome::kScan) return;
   SCANBED_ENSURE(scan.num_beams() == assembler.geometry().num_beams);
   for (const double range_m : scan.range_m) {
     SCANBED_ENSURE(!std::isfinite(range_m) || (range_m >= 0.0 && range_m <= scan.geometry.max_range_m));

@@ -33,7 +33,7 @@ void telegram_of_732_bytes_to_scan(benchmark::State& state) {
   for (auto _ : state) {
     decoder.feed(bytes, 0.0);
     SCANBED_ENSURE(decoder.next(item));
-    SCANBED_ENSURE(assembler.take(item.body, 1.0, scan) == ScanAssembler::Outcome::kScan);
+    SCANBED_ENSURE(assembler.take(item.body, {1.0}, scan) == ScanAssembler::Outcome::kScan);
     benchmark::DoNotOptimize(scan.range_m.data());
   }
   state.SetItemsProcessed(state.iterations());
@@ -50,7 +50,7 @@ void telegram_in_pieces_to_scan(benchmark::State& state) {
   for (auto _ : state) {
     for (std::size_t at = 0; at < bytes.size(); at += 62) {
       decoder.feed(ByteView(bytes).subspan(at, std::min<std::size_t>(62, bytes.size() - at)), 0.0);
-      if (decoder.next(item)) assembler.take(item.body, 1.0, scan);
+      if (decoder.next(item)) assembler.take(item.body, {1.0}, scan);
     }
     benchmark::DoNotOptimize(scan.range_m.data());
   }

@@ -5,6 +5,7 @@
 
 #include <deque>
 
+#include "hw/sick/scan_telegram.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/least_time.hpp"
 
@@ -104,6 +105,20 @@ TEST_F(LmsLinkTest, AcknowledgementsInsideGarbageDoNotHoldItUp) {
     EXPECT_THROW(ask(), SensorFault);
   });
   EXPECT_LT(least_s, 3 * 0.2);
+}
+
+// After a while in which nobody read, the port gives what came in pieces of its own size.
+TEST_F(LmsLinkTest, TellsHowMuchStandsBehindATelegram) {
+  const Bytes scan = frame_telegram(0x80, encode(ScanTelegram{.words = std::vector<std::uint16_t>(361)}));
+  Bytes& scans = port_.answers.emplace_back();
+  for (int i = 0; i < 30; ++i) scans.insert(scans.end(), scan.begin(), scan.end());
+  link_.tell(SetModeCommand{LmsMode::kStream});
+  WireItem item;
+  double arrival_s = 0.0;
+  for (std::size_t num_left = 30; num_left-- > 0;) {
+    ASSERT_TRUE(link_.next_telegram(item, 1.0, arrival_s));
+    EXPECT_EQ(item.num_bytes_behind, num_left * scan.size());
+  }
 }
 
 TEST_F(LmsLinkTest, StopsAtOnce) {

@@ -36,7 +36,7 @@ SickOptions interlaced() {
 TEST(ScanAssemblerTest, MakesAScanOfATelegram) {
   ScanAssembler assembler({}, {}, false);
   LaserScan scan;
-  ASSERT_EQ(assembler.take(whole(361, 1234, 0x92), 1.0, scan), Outcome::kScan);
+  ASSERT_EQ(assembler.take(whole(361, 1234, 0x92), {1.0}, scan), Outcome::kScan);
   EXPECT_EQ(scan.num_beams(), 361);
   EXPECT_EQ(scan.range_m[17], 1.234);
   EXPECT_EQ(scan.geometry, assembler.geometry());
@@ -47,16 +47,16 @@ TEST(ScanAssemblerTest, MakesAScanOfATelegram) {
 TEST(ScanAssemblerTest, RefusesWhatWasNotConfigured) {
   ScanAssembler assembler({}, {}, false);
   LaserScan scan;
-  EXPECT_EQ(assembler.take(whole(181, 1), 1.0, scan), Outcome::kRefused);
-  EXPECT_EQ(assembler.take(turn(0, 0), 1.0, scan), Outcome::kRefused);
-  EXPECT_EQ(assembler.take({}, 1.0, scan), Outcome::kRefused);
+  EXPECT_EQ(assembler.take(whole(181, 1), {1.0}, scan), Outcome::kRefused);
+  EXPECT_EQ(assembler.take(turn(0, 0), {1.0}, scan), Outcome::kRefused);
+  EXPECT_EQ(assembler.take({}, {1.0}, scan), Outcome::kRefused);
 }
 
 TEST(ScanAssemblerTest, PutsFourTurnsTogether) {
   ScanAssembler assembler(interlaced(), {}, false);
   LaserScan scan;
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(assembler.take(turn(i, 1000), 1.0 + i, scan), Outcome::kPart);
-  ASSERT_EQ(assembler.take(turn(3, 1000, 0x92), 4.0, scan), Outcome::kScan);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(assembler.take(turn(i, 1000), {1.0 + i}, scan), Outcome::kPart);
+  ASSERT_EQ(assembler.take(turn(3, 1000, 0x92), {4.0}, scan), Outcome::kScan);
   ASSERT_EQ(scan.num_beams(), 721);
   for (int i = 0; i < 721; ++i) EXPECT_EQ(scan.range_m[static_cast<std::size_t>(i)], (1000 + i) / 1000.0);
   EXPECT_LT(scan.time_s, 1.0);
@@ -66,18 +66,18 @@ TEST(ScanAssemblerTest, PutsFourTurnsTogether) {
 TEST(ScanAssemblerTest, TakesTurnsInTheOrderOfASlowLink) {
   ScanAssembler assembler(interlaced(), {}, false);
   LaserScan scan;
-  for (const int i : {0, 3, 2}) EXPECT_EQ(assembler.take(turn(i, 0), 1.0, scan), Outcome::kPart);
-  EXPECT_EQ(assembler.take(turn(1, 0), 1.0, scan), Outcome::kScan);
+  for (const int i : {0, 3, 2}) EXPECT_EQ(assembler.take(turn(i, 0), {1.0}, scan), Outcome::kPart);
+  EXPECT_EQ(assembler.take(turn(1, 0), {1.0}, scan), Outcome::kScan);
 }
 
 TEST(ScanAssemblerTest, MixesNoTurnsOfTwoScans) {
   ScanAssembler assembler(interlaced(), {}, false);
   LaserScan scan;
   // Begins in the middle of a scan; then turn 2 gets lost, and the next scan begins.
-  for (const int i : {1, 2, 3, 0, 1}) EXPECT_EQ(assembler.take(turn(i, 1000), 1.0, scan), Outcome::kPart);
-  EXPECT_EQ(assembler.take(turn(3, 1000), 1.0, scan), Outcome::kPart);
-  for (const int i : {0, 1, 2}) EXPECT_EQ(assembler.take(turn(i, 2000), 2.0, scan), Outcome::kPart);
-  ASSERT_EQ(assembler.take(turn(3, 2000), 2.0, scan), Outcome::kScan);
+  for (const int i : {1, 2, 3, 0, 1}) EXPECT_EQ(assembler.take(turn(i, 1000), {1.0}, scan), Outcome::kPart);
+  EXPECT_EQ(assembler.take(turn(3, 1000), {1.0}, scan), Outcome::kPart);
+  for (const int i : {0, 1, 2}) EXPECT_EQ(assembler.take(turn(i, 2000), {2.0}, scan), Outcome::kPart);
+  ASSERT_EQ(assembler.take(turn(3, 2000), {2.0}, scan), Outcome::kScan);
   EXPECT_EQ(scan.range_m[2], 2.002);
   EXPECT_EQ(assembler.num_incomplete(), 1);
 }
@@ -85,11 +85,11 @@ TEST(ScanAssemblerTest, MixesNoTurnsOfTwoScans) {
 TEST(ScanAssemblerTest, ForgetsTurnsWhenTold) {
   ScanAssembler assembler(interlaced(), {}, false);
   LaserScan scan;
-  for (const int i : {0, 1}) assembler.take(turn(i, 1000), 1.0, scan);
+  for (const int i : {0, 1}) assembler.take(turn(i, 1000), {1.0}, scan);
   assembler.forget_turns();
-  for (const int i : {2, 3}) EXPECT_EQ(assembler.take(turn(i, 2000), 1.0, scan), Outcome::kPart);
-  for (const int i : {0, 1, 2}) EXPECT_EQ(assembler.take(turn(i, 3000), 1.0, scan), Outcome::kPart);
-  EXPECT_EQ(assembler.take(turn(3, 3000), 1.0, scan), Outcome::kScan);
+  for (const int i : {2, 3}) EXPECT_EQ(assembler.take(turn(i, 2000), {1.0}, scan), Outcome::kPart);
+  for (const int i : {0, 1, 2}) EXPECT_EQ(assembler.take(turn(i, 3000), {1.0}, scan), Outcome::kPart);
+  EXPECT_EQ(assembler.take(turn(3, 3000), {1.0}, scan), Outcome::kScan);
 }
 
 }  // namespace

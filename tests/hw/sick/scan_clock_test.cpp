@@ -14,15 +14,60 @@ TEST(ScanClockTest, TakesOffTheWireAndTheScan) {
   // 732 bytes of ten bits; the second of two turns ends half a turn after it begins.
   const double wire_s = 7320.0 / 38400.0;
   const double scan_s = 1.5 * 0.01332;
-  EXPECT_NEAR(clock.first_beam_s(100.0, 732, geometry), 100.0 - wire_s - scan_s, 1e-4);
+  EXPECT_NEAR(clock.first_beam_s({100.0}, 732, geometry), 100.0 - wire_s - scan_s, 1e-4);
 }
 
 TEST(ScanClockTest, NeverGoesBack) {
   const ScanGeometry geometry = sick_geometry({}, {});
   ScanClock clock(500000);
-  const double first_s = clock.first_beam_s(5.0, 732, geometry);
-  EXPECT_EQ(clock.first_beam_s(4.9, 732, geometry), first_s);
-  EXPECT_GT(clock.first_beam_s(5.1, 732, geometry), first_s);
+  const double first_s = clock.first_beam_s({5.0}, 732, geometry);
+  EXPECT_EQ(clock.first_beam_s({4.9}, 732, geometry), first_s);
+  EXPECT_GT(clock.first_beam_s({5.1}, 732, geometry), first_s);
+}
+
+constexpr double kPeriod_s = 2 * 0.01332;
+
+TEST(ScanClockTest, TelegramsReadTogetherAreAPeriodApart) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  ScanClock clock(500000);
+  clock.first_beam_s({9.0}, 732, geometry);
+  const double first_s = clock.first_beam_s({10.0, 2 * 732 + 100}, 732, geometry);
+  const double second_s = clock.first_beam_s({10.0, 732 + 100}, 732, geometry);
+  const double third_s = clock.first_beam_s({10.0, 100}, 732, geometry);
+  EXPECT_EQ(third_s, ScanClock(500000).first_beam_s({10.0}, 732, geometry));
+  EXPECT_NEAR(third_s - second_s, kPeriod_s, 1e-9);
+  EXPECT_NEAR(second_s - first_s, kPeriod_s, 1e-9);
+}
+
+// At 38400 baud that is longer than the scan.
+TEST(ScanClockTest, TelegramsReadTogetherAreAWireTimeApart) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  ScanClock clock(38400);
+  const double first_s = clock.first_beam_s({10.0, 732}, 732, geometry);
+  EXPECT_NEAR(clock.first_beam_s({10.0}, 732, geometry) - first_s, 7320.0 / 38400.0, 1e-9);
+}
+
+TEST(ScanClockTest, TelegramsReadTogetherShareWhatTimeThereWas) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  ScanClock clock(500000);
+  double last_s = clock.first_beam_s({10.0}, 732, geometry);
+  for (const std::size_t num_behind : {2, 1, 0}) {
+    const double next_s = clock.first_beam_s({10.03, num_behind * 732}, 732, geometry);
+    EXPECT_NEAR(next_s - last_s, 0.01, 1e-9);
+    last_s = next_s;
+  }
+}
+
+TEST(ScanClockTest, TelegramsReadTogetherAtTheStartAreNotFromBefore) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  ScanClock clock(9600);
+  const double wire_and_scan_s = 7320.0 / 9600.0 + kPeriod_s;
+  double last_s = 0.0;
+  for (const std::size_t num_behind : {2, 1, 0}) {
+    const double next_s = clock.first_beam_s({wire_and_scan_s, num_behind * 732}, 732, geometry);
+    EXPECT_GT(next_s, last_s);
+    last_s = next_s;
+  }
 }
 
 }  // namespace

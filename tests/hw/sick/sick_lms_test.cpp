@@ -377,6 +377,21 @@ TEST(SickLmsTest, ScansComeAtTheLinksRateWithTheTimeOfTheirFirstBeam) {
   EXPECT_EQ(num_in_time, 3);
 }
 
+// This sensor does not keep to its baud, at which a telegram alone would take 0.76 s.
+TEST(SickLmsTest, NoTimeIsNegative) {
+  RunningEmulator emulator(quick_sensor());
+  SickOptions options = patient_driver(emulator.port());
+  options.baud = 9600;
+  SickLms laser(options);
+  LaserScan scan;
+  double last_s = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(laser.next(scan, kPatience));
+    EXPECT_GT(scan.time_s, last_s);
+    last_s = scan.time_s;
+  }
+}
+
 TEST(SickLmsTest, RefusesBadOptions) {
   SickOptions options = quick_driver("/dev/null");
   options.baud = 115200;

@@ -42,6 +42,7 @@ TEST(TelegramDecoderTest, FindsAcknowledgementAndReply) {
   EXPECT_EQ(item.kind, WireItem::Kind::kTelegram);
   EXPECT_EQ(item.address, 0x80);
   EXPECT_EQ(Bytes(item.body.begin(), item.body.end()), kDoneBody);
+  EXPECT_EQ(item.num_bytes_behind, 1U);
   ASSERT_TRUE(decoder.next(item));
   EXPECT_EQ(item.kind, WireItem::Kind::kNakByte);
   EXPECT_FALSE(decoder.next(item));
