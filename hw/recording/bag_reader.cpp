@@ -60,7 +60,7 @@ class BagSource final : public ScanSource {
         if (try_chunk_record(out)) return true;
       }
       if (!next_record()) break;
-      take_record();
+      if (take_record(out)) return true;
     }
     if (inventory_.is_complete()) return false;
     throw InputError(name_ + ": is not finished: it ends after " + std::to_string(counts_.num_scans) +
@@ -130,22 +130,36 @@ class BagSource final : public ScanSource {
     return packing && *packing == "none";
   }
 
-  void take_record() {
+  /// Whether it was a scan.
+  bool take_record(RecordedScan& out) {
     switch (bag_op_here()) {
       case BagOp::kChunk:
         open_chunk();
-        break;
+        return false;
       case BagOp::kConnection:
         ++inventory_.num_seen_connections;
         index_connection();
-        break;
+        return false;
       case BagOp::kChunkInfo:
         ++inventory_.num_seen_chunks;
-        break;
+        return false;
       case BagOp::kIndex:
+        return false;
+      case BagOp::kMessage:
+        if (is_in_unfinished_chunk_) return take_loose_message(out);
         break;
       default:
-        fail("is of an unknown kind");
+        break;
+    }
+    fail("is of an unknown kind");
+  }
+
+  bool take_loose_message(RecordedScan& out) {
+    try {
+      return take_chunk_record(header_, data_, out);
+    } catch (const InputError& error) {
+      damaged(error.what());
+      return false;
     }
   }
 
@@ -163,6 +177,7 @@ class BagSource final : public ScanSource {
       const std::string_view name = find_bag_field(header_, "compression").value_or("?");
       const std::optional<Packing> packing = packing_of_name(name);
       if (!packing || *packing == Packing::kZstd) throw InputError("packed in an unknown way");
+      if (data_.empty() && !inventory_.is_indexed) return enter_unfinished_chunk(*packing);
       // Of what is not packed the length is known anyway; old writers announced another one.
       chunk_ = *packing == Packing::kNone ? std::move(data_)
                                           : unpack_chunk(data_, *packing, bag_field32(header_, "size"));
@@ -170,6 +185,12 @@ class BagSource final : public ScanSource {
     } catch (const InputError& error) {
       damaged(error.what());
     }
+  }
+
+  /// A recorder that was killed leaves its last chunk without a length, and what the chunk holds behind it.
+  void enter_unfinished_chunk(Packing packing) {
+    is_in_unfinished_chunk_ = packing == Packing::kNone;
+    is_over_ = packing != Packing::kNone;  // what is packed is no records
   }
 
   /// Takes one record of the chunk; whether it was a scan.
@@ -251,6 +272,7 @@ class BagSource final : public ScanSource {
   std::string header_;           // of the record of the file
   std::string data_;
   bool is_over_ = false;                                // the file has ended, after or within that record
+  bool is_in_unfinished_chunk_ = false;                 // whose records stand in the file itself
   std::string chunk_;                                   // unpacked
   ByteCursor cursor_ = ByteCursor(std::string_view());  // on what is left of it
 };

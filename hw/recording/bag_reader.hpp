@@ -20,9 +20,9 @@ struct BagOptions {
 
 /// Scans of a ROS 1 bag, in the order of the file. Chunks may be packed by bz2 or lz4. The topic becomes the
 /// scan's source, without its slash; "scan" becomes none. Odometry is that of the last transform from "odom"
-/// to "base_link" before the scan. A chunk or message that is damaged is reported and skipped; of a torn last
-/// chunk that is not packed its whole messages are read. After the last scan, InputError where the bag was
-/// not finished or is cut off.
+/// to "base_link" before the scan. A chunk or message that is damaged is reported and skipped; of a last
+/// chunk that is torn or was not finished its whole messages are read, if it is not packed. After the last
+/// scan, InputError where the bag was not finished or is cut off.
 ///
 /// @par Source  wiki.ros.org/Bags/Format/2.0. Departs: the index is not used, since a bag whose recorder was
 ///              killed has none.

@@ -99,6 +99,31 @@ TEST(BagReaderTest, TheWholeMessagesOfATornPlainChunkAreRead) {
             "killed)");
 }
 
+// As rosbag leaves it when it is killed: the chunk that it was writing has no length yet.
+TEST(BagReaderTest, TheWholeMessagesOfAnUnfinishedChunkAreRead) {
+  const std::string start = bag_header(0) + plain_chunk(records_of(1));
+  const std::string records =
+      records_of(2) + message(0, "short") + message(0, encode_laser_scan(made_scan(3), 0));
+  const std::string plain = start + chunk("none", 0, "") + records;
+  const Reading whole = read_all(plain, "x.bag");
+  ASSERT_EQ(whole.scans.size(), 3U);
+  EXPECT_TRUE(same_ranges(whole.scans[2], made_scan(3)));
+  EXPECT_EQ(whole.counts.num_damaged_lines, 1);
+  EXPECT_NE(whole.error.find("is not finished: it ends after 3 scans"), std::string::npos) << whole.error;
+  const Reading torn = read_all(plain.substr(0, plain.size() - 1), "x.bag");
+  EXPECT_EQ(torn.scans.size(), 2U);
+  EXPECT_NE(torn.error.find("is not finished: it ends after 2 scans"), std::string::npos) << torn.error;
+  const Reading packed = read_all(start + chunk("bz2", 0, "") + bzip2(records).substr(0, 100), "x.bag");
+  EXPECT_EQ(packed.scans.size(), 1U);
+  EXPECT_NE(packed.error.find("is not finished: it ends after 1 scans"), std::string::npos) << packed.error;
+}
+
+TEST(BagReaderTest, AMessageOutsideOfAChunkIsNone) {
+  const Reading reading = read_all(bag_header(1) + plain_chunk(records_of(1)) + records_of(2), "x.bag");
+  EXPECT_EQ(reading.scans.size(), 1U);
+  EXPECT_NE(reading.error.find("is of an unknown kind"), std::string::npos) << reading.error;
+}
+
 TEST(BagReaderTest, AMessageThatIsNoScanIsReportedAndSkipped) {
   const std::string records = records_of(1) + message(0, "short") + message(9, "unknown connection") +
                               message(0, encode_laser_scan(made_scan(2), 0));
