@@ -20,6 +20,7 @@
 #include "hw/recording/player_writer.hpp"
 #include "hw/recording/recording_format.hpp"
 #include "hw/recording/streamed_reader.hpp"
+#include "hw/recording/time_order.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -90,10 +91,12 @@ std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, co
       source = read_player_log(std::move(peeked), name, {.only = options.only}, std::move(report));
       break;
     case RecordingFormat::kBag:
-      source = read_bag(unpack(std::move(peeked)), name, {.only = options.only}, std::move(report));
+      source = read_bag(unpack(std::move(peeked)), name, {.only = options.only}, report);
+      source = in_time_order(std::move(source), name, std::move(report));
       break;
     case RecordingFormat::kMcap:
-      source = read_mcap(unpack(std::move(peeked)), name, {.only = options.only}, std::move(report));
+      source = read_mcap(unpack(std::move(peeked)), name, {.only = options.only}, report);
+      source = in_time_order(std::move(source), name, std::move(report));
       break;
     case RecordingFormat::kJsonLines:
       source = read_json_lines(std::move(peeked), name, {.only = options.only}, std::move(report));

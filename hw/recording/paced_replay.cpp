@@ -30,7 +30,9 @@ bool PacedReplay::read(LaserScan& scan) {
     if (!start_s_) start_s_ = scan.time_s;
     const double elapsed_s = scan.time_s - *start_s_;
     is_over_ = elapsed_s > options_.to_s;
-    if (!is_over_ && elapsed_s >= options_.from_s) return true;
+    // Without a beginning nothing is left out, not even what is from before the first scan.
+    const bool is_from_there_on = options_.from_s == 0.0 || elapsed_s >= options_.from_s;
+    if (!is_over_ && is_from_there_on) return true;
   }
   is_over_ = true;
   return false;

@@ -24,7 +24,8 @@ using RecordingMetadata = std::map<std::string, std::string>;
 /// Called for each damaged line or record, which is then skipped: one line with the file and the place.
 using DamageReport = std::function<void(const std::string&)>;
 
-/// A recording as a sensor: its scans in the order of the file, numbered from 0. The first one is read ahead,
+/// A recording as a sensor: its scans in the order of the file, or of time where its format promises no
+/// order (see time_order.hpp), numbered from 0. The first one is read ahead,
 /// so that geometry() is known. It never waits (see PacedReplay), and its memory does not grow with the file.
 class ScanReader : public RangeSensor {
  public:

@@ -58,6 +58,16 @@ TEST(PacedReplayTest, AnAbsurdGapDoesNotHang) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+TEST(PacedReplayTest, LeavesNothingOutWhereTheFirstScanIsNotTheEarliest) {
+  std::vector<LaserScan> scans = made_scans(3);
+  std::swap(scans[0], scans[1]);
+  auto reader = open_recording(from_memory(recorded("x.jsonl", scans)), "x.jsonl", {}, {});
+  PacedReplay replay(std::move(reader), {.speed = 1000.0});
+  Reading reading;
+  read_to_end(replay, reading);
+  EXPECT_EQ(reading.scans.size(), 3U);
+}
+
 TEST(PacedReplayTest, TheEndLeavesTheScanAloneAndStays) {
   PacedReplay replay(ten_scans(), {.to_s = 0.0});
   LaserScan scan;
