@@ -131,7 +131,7 @@ void EmulatedScip::answer_scan(const std::string& line, double now_s) {
   }
   is_laser_on_ = is_streaming_ = true;
   stream_ = request;
-  next_scan_s_ = now_s;
+  next_scan_s_ = now_s + sweep_s();
 }
 
 /// Carries out a command that is answered by a status alone, and gives it.
@@ -171,7 +171,13 @@ int EmulatedScip::range_mm(int step) const {
   return std::isfinite(range_m) ? static_cast<int>(std::lround(std::clamp(range_m, 0.0, 262.0) * 1000.0)) : 1;
 }
 
-std::string EmulatedScip::scan_text(const Request& request, double now_s) {
+/// From step 0, which the stamp of a scan is of, to the last step, behind which the scan is sent.
+double EmulatedScip::sweep_s() const {
+  const ScipParameters& p = options_.parameters;
+  return options_.is_paced ? p.scan_period_s() * p.last_step / p.steps_per_turn : 0.0;
+}
+
+std::string EmulatedScip::scan_text(const Request& request, double step_0_s) {
   if (!source_.next(scan_, kPatience)) scan_.range_m.assign(scan_.range_m.size(), kNoEcho);
   const bool is_short = request.text[1] == 'S';
   std::string data;
@@ -183,7 +189,7 @@ std::string EmulatedScip::scan_text(const Request& request, double now_s) {
     data += is_short ? encode_scip(std::min(least, 4095), 2) : encode_scip(least, 3);
     if (request.text[1] == 'E') data += encode_scip(1000, 3);
   }
-  return stamp(now_s) + to_scip_blocks(data);
+  return stamp(step_0_s) + to_scip_blocks(data);
 }
 
 void EmulatedScip::send_scan(double now_s) {
@@ -195,7 +201,7 @@ void EmulatedScip::send_scan(double now_s) {
   if (stream_.num_scans > 0) --stream_.num_scans;
   std::array<char, 8> left{};
   std::snprintf(left.data(), left.size(), "%02d", stream_.num_scans % 100);
-  std::string text = scan_text(stream_, now_s);
+  std::string text = scan_text(stream_, now_s - sweep_s());
   const bool is_damaged = options_.damage_every > 0 && num_scans_ % options_.damage_every == 0;
   if (is_damaged) text[7] = text[7] == '0' ? '1' : '0';
   say(stream_.text + left.data() + "\n99b\n" + text + "\n");

@@ -55,7 +55,8 @@ class EmulatedScip final : public ByteDevice {
   void say(const std::string& text);
   void status(const std::string& echo, const std::string& code);
   void send_scan(double now_s);
-  std::string scan_text(const Request& request, double now_s);
+  double sweep_s() const;
+  std::string scan_text(const Request& request, double step_0_s);
   int range_mm(int step) const;
   std::string stamp(double now_s) const;
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kSyncTries = 4;
 constexpr int kMostDamaged = 5;
+constexpr double kBaudPause_s = 0.15;   // that a sensor takes to change it
 constexpr std::size_t kHeadLines = 3;   // echo, status, time
 constexpr std::size_t kEchoChars = 13;  // of an MD command, without the number of scans, which counts down
 constexpr std::array<int, 6> kBauds = {19200, 57600, 115200, 250000, 500000, 750000};
@@ -24,17 +25,12 @@ std::unique_ptr<ByteLink> open_link(const ScipOptions& options, const StopSignal
   return std::make_unique<TcpLink>(options.host, options.port, options.connect_s, stop);
 }
 
-bool answers_at(ByteLink& link, ScipClient& client, int baud) {
-  link.set_baud(baud);
-  return client.synchronise();
-}
-
-/// Finds the baud of a serial sensor; a network has none.
-void find_sensor(const ScipOptions& options, ByteLink& link, ScipClient& client) {
-  if (answers_at(link, client, options.baud)) return;
+/// Finds the baud of a serial sensor, and gives it; a network has none.
+int find_sensor(const ScipOptions& options, ScipClient& client) {
+  if (client.synchronise_at(options.baud)) return options.baud;
   for (const int baud : kBauds) {
     const bool is_new = !options.path.empty() && baud != options.baud;
-    if (is_new && answers_at(link, client, baud)) return;
+    if (is_new && client.synchronise_at(baud)) return baud;
   }
   throw SensorFault(SensorFault::Kind::kTimeout,
                     options.name() + ": no SCIP sensor answers; is it on, and is this its port?");
@@ -44,6 +40,13 @@ ScipParameters read_parameters(const ScipOptions& options, ScipClient& client) {
   const auto parameters = parse_scip_parameters(client.ask("PP"));
   if (parameters) return *parameters;
   throw SensorFault(SensorFault::Kind::kProtocol, options.name() + ": its parameters (PP) make no sense");
+}
+
+/// Of a message on the wire.
+std::size_t num_bytes(const std::vector<std::string>& lines) {
+  std::size_t num_bytes = 1;  // the empty line at the end
+  for (const std::string& line : lines) num_bytes += line.size() + 1;
+  return num_bytes;
 }
 
 void stream(ScipClient& client, const ScipParameters& parameters, const RecoveringLaser::Give& give) {
@@ -60,7 +63,7 @@ void stream(ScipClient& client, const ScipParameters& parameters, const Recoveri
     if (!client.next_message(lines, silence_s)) {
       throw SensorFault(SensorFault::Kind::kTimeout, "the stream fell silent");
     }
-    const ScipScans::Outcome outcome = scans.take(lines, steady_now_s(), scan);
+    const ScipScans::Outcome outcome = scans.take(lines, client.sent_s(), scan);
     if (outcome == ScipScans::Outcome::kFault) {
       throw SensorFault(SensorFault::Kind::kProtocol, "the sensor stopped: status " + scip_status(lines));
     }
@@ -74,7 +77,8 @@ void attempt(const ScipOptions& options, const RecoveringLaser::Give& give, cons
   const std::unique_ptr<ByteLink> link = open_link(options, stop);
   ScipClient client(*link, options.reply_s, stop);
   try {
-    find_sensor(options, *link, client);
+    const int found_baud = find_sensor(options, client);
+    if (found_baud != options.baud) client.change_baud(found_baud, options.baud);
     stream(client, read_parameters(options, client), give);
   } catch (const Stopped&) {
     const StopSignal not_given;
@@ -115,6 +119,10 @@ bool ScipClient::next_message(std::vector<std::string>& lines, double timeout_s)
     const std::size_t count = link_.read(buffer, left_s, stop_);
     reader_.feed({reinterpret_cast<const char*>(buffer.data()), count});
   }
+  const double now_s = steady_now_s();
+  const double wire_s = static_cast<double>(num_bytes(lines)) * link_.byte_s();
+  sent_s_ = now_s - std::min(wire_s, now_s - read_s_);
+  read_s_ = now_s;
   return true;
 }
 
@@ -156,6 +164,20 @@ bool ScipClient::synchronise() {
   return false;
 }
 
+bool ScipClient::synchronise_at(int baud) {
+  link_.set_baud(baud);
+  return synchronise();
+}
+
+void ScipClient::change_baud(int baud, int wanted_baud) {
+  std::array<char, 16> command{};
+  std::snprintf(command.data(), command.size(), "SS%06d", wanted_baud);
+  if (scip_status(ask(command.data())) != "00") return;
+  stop_.sleep(kBaudPause_s);
+  if (synchronise_at(wanted_baud) || synchronise_at(baud)) return;
+  throw SensorFault(SensorFault::Kind::kTimeout, std::string("the sensor is lost after ") + command.data());
+}
+
 ScipScans::ScipScans(const ScipParameters& parameters)
     : parameters_(parameters), geometry_(parameters.geometry()) {}
 
@@ -178,7 +200,7 @@ bool ScipScans::read_ranges(const std::string& data, LaserScan& scan) const {
   return true;
 }
 
-ScipScans::Outcome ScipScans::take(const std::vector<std::string>& lines, double arrival_s, LaserScan& scan) {
+ScipScans::Outcome ScipScans::take(const std::vector<std::string>& lines, double sent_s, LaserScan& scan) {
   if (lines.size() < 2 || lines[0].substr(0, kEchoChars) != command().substr(0, kEchoChars))
     return Outcome::kOther;
   const std::string status = scip_status(lines);
@@ -190,7 +212,9 @@ ScipScans::Outcome ScipScans::take(const std::vector<std::string>& lines, double
   const auto stamp = time_text && time_text->size() == 4 ? decode_scip(*time_text) : std::nullopt;
   const auto data = join_scip_blocks({lines.begin() + kHeadLines, lines.end()});
   if (!stamp || !data || !read_ranges(*data, scan)) return Outcome::kDamaged;
-  scan.time_s = clock_.to_local_s(*stamp, arrival_s);
+  const double step_s = geometry_.timing.step_s;
+  scan.time_s =
+      clock_.to_local_s(*stamp, sent_s - parameters_.last_step * step_s) + parameters_.first_step * step_s;
   scan.geometry = geometry_;
   scan.X_OR.reset();
   scan.source.clear();

@@ -18,7 +18,7 @@ struct ScipOptions {
   std::string path;  ///< a serial port or a USB one; empty: the network
   std::string host;  ///< a name or an address
   int port = 10940;
-  int baud = 115200;       ///< tried first; a USB port ignores it
+  int baud = 115200;       ///< tried first, and set where the sensor is at another; a USB port ignores it
   double reply_s = 0.5;    ///< for an answer
   double connect_s = 3.0;  ///< for a connection
   RecoveryOptions recovery;
@@ -39,12 +39,24 @@ class ScipClient {
   /// @returns false where nothing answers.
   bool synchronise();
 
+  /// The same at another baud of the link.
+  bool synchronise_at(int baud);
+
+  /// Takes a sensor that listens at `baud`, and the link, to another one; the sensor keeps that until it is
+  /// switched off. Where it refuses, or is not to be heard there, all stays as it was.
+  /// @throws SensorFault kTimeout where it is to be heard at neither.
+  void change_baud(int baud, int wanted_baud);
+
   /// Sends a command and gives its reply, echo first. Messages of others that come before it are dropped.
   /// @throws SensorFault kTimeout.
   std::vector<std::string> ask(const std::string& command);
 
   /// The next message; false where `timeout_s` passes first.
   bool next_message(std::vector<std::string>& lines, double timeout_s);
+
+  /// When the sensor began to send the message that came last (steady_now_s): its time on the wire lies
+  /// between, at most all of the time since the message before it.
+  double sent_s() const { return sent_s_; }
 
   void send(const std::string& command);
 
@@ -55,6 +67,8 @@ class ScipClient {
   double reply_s_;
   const StopSignal& stop_;
   ScipReader reader_;
+  double read_s_ = 0.0;  // when the last message was whole
+  double sent_s_ = 0.0;
 };
 
 /// Two characters of a reply's status line: "00" is fine; "" where the line's sum is wrong.
@@ -70,10 +84,12 @@ class ScipScans {
 
   enum class Outcome { kScan, kOther, kDamaged, kFault };
 
+  /// @param sent_s  when the sensor began to send the message, at the end of the sweep at the earliest. The
+  ///                stamp in it is of step 0, the scan's time that of its first beam.
   /// @returns kScan where `scan` is a new one; kDamaged where sums or counts are wrong; kFault where the
   /// sensor
   ///          reports that it stopped.
-  Outcome take(const std::vector<std::string>& lines, double arrival_s, LaserScan& scan);
+  Outcome take(const std::vector<std::string>& lines, double sent_s, LaserScan& scan);
 
  private:
   bool read_ranges(const std::string& data, LaserScan& scan) const;

@@ -30,6 +30,9 @@ class ByteLink {
 
   /// @throws SensorFault where the link has bauds, but not this one. Links without bauds ignore it.
   virtual void set_baud(int /*baud*/) {}
+
+  /// What a byte takes on the wire; 0 for links that are no wire at a baud.
+  virtual double byte_s() const { return 0.0; }
 };
 
 }  // namespace scanbed::hw

@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/steady_clock.hpp"
@@ -102,9 +104,17 @@ void make_raw(termios2& settings, int baud) {
   settings.c_cc[VTIME] = 0;
 }
 
+/// Whether the kernel's driver for devices that speak USB themselves has the port, unlike an adapter.
+bool is_usb_device(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path real = std::filesystem::canonical(path, ignored);
+  return real.filename().string().starts_with("ttyACM");
+}
+
 }  // namespace
 
-SerialPort::SerialPort(const std::string& path) : path_(path), fd_(open_port(path)) {
+SerialPort::SerialPort(const std::string& path)
+    : path_(path), fd_(open_port(path)), is_usb_device_(is_usb_device(path)) {
   set_baud(9600);
 }
 

@@ -27,6 +27,9 @@ class SerialPort final : public ByteLink {
   /// @throws SensorFault where the driver refuses it.
   void set_baud(int baud) override;
 
+  /// 0 for a USB device that is a port itself: nothing of it goes at a baud.
+  double byte_s() const override { return is_usb_device_ ? 0.0 : 10.0 / baud_; }
+
   int baud() const { return baud_; }
   const std::string& path() const { return path_; }
 
@@ -37,6 +40,7 @@ class SerialPort final : public ByteLink {
   std::string path_;
   FileDescriptor fd_;
   int baud_ = 0;
+  bool is_usb_device_;
 };
 
 /// Baud that the terminal behind a descriptor is set to, of a pseudo-terminal's master: that of its other

@@ -59,7 +59,12 @@ TEST_F(EmulatedScipTest, GivesAScanOfItsSource) {
 }
 
 TEST_F(EmulatedScipTest, AFiniteStreamCountsDown) {
-  EXPECT_EQ(ask("MD0000000001002\n").substr(0, 42), "MD0000000001002\n00P\n\nMD0000000001001\n99b\n0");
+  EXPECT_EQ(ask("MD0000000001002\n"), "MD0000000001002\n00P\n\n");
+  // Steps 0 to 1080 of 1440 of a turn of 25 ms; the stamp is of step 0.
+  now_s_ += 0.018;
+  EXPECT_EQ(run(), "");
+  now_s_ += 0.001;
+  EXPECT_TRUE(run().starts_with("MD0000000001001\n99b\n00000\n"));
   now_s_ += 0.03;
   EXPECT_TRUE(run().starts_with("MD0000000001000\n99b\n"));
   now_s_ += 0.03;

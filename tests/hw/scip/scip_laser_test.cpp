@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "core/errors/input_error.hpp"
 #include "hw/scip/emulated_scip.hpp"
 #include "hw/serial/serial_port.hpp"
+#include "hw/serial/steady_clock.hpp"
 #include "tests/support/running_device.hpp"
 #include "tests/support/wide_sensor.hpp"
 
@@ -144,7 +146,115 @@ TEST(ScipScansTest, ReadsTheRangesOfAMessage) {
             ScipScans::Outcome::kScan);
   EXPECT_EQ(scan.range_m[0], 1.0);
   EXPECT_EQ(scan.range_m[1], kNoEcho);  // 1 mm is the sensor's code for nothing in range
-  EXPECT_EQ(scan.time_s, 9.0);
+  // The sweep ends at step 1 of 1440 of a turn of 25 ms.
+  EXPECT_NEAR(scan.time_s, 9.0 - 0.025 / 1440, 1e-9);
+}
+
+TEST(ScipScansTest, TimesAreThoseOfTheFirstBeam) {
+  ScipParameters p = utm_30lx();
+  p.first_step = 360;
+  p.last_step = 361;
+  ScipScans scans(p);
+  LaserScan scan;
+  ASSERT_EQ(scans.take({"MD0360036101000", "99b", "00?Xg", "0?X001" + std::string(1, scip_sum("0?X001"))},
+                       9.0, scan),
+            ScipScans::Outcome::kScan);
+  // One step lies between the two beams; the stamp is of step 0, a quarter of a turn before.
+  EXPECT_NEAR(scan.time_s, 9.0 - 0.025 / 1440, 1e-9);
+}
+
+/// A link that gives one message and says what a byte takes.
+class OneMessage final : public ByteLink {
+ public:
+  explicit OneMessage(double byte_s) : byte_s_(byte_s) {}
+  std::size_t read(std::span<std::uint8_t> buffer, double /*timeout_s*/,
+                   const StopSignal& /*stop*/) override {
+    const std::string_view text = "QT\n00P\n\n";
+    std::copy(text.begin(), text.end(), buffer.begin());
+    return text.size();
+  }
+  void write(ByteView /*bytes*/, const StopSignal& /*stop*/) override {}
+  void flush_input() override {}
+  double byte_s() const override { return byte_s_; }
+
+ private:
+  double byte_s_;
+};
+
+TEST(ScipClientTest, AMessageWasOnTheWireForItsBytes) {
+  OneMessage link(0.01);
+  StopSignal stop;
+  ScipClient client(link, 1.0, stop);
+  const double before_s = steady_now_s();
+  client.ask("QT");
+  const double after_s = steady_now_s();
+  EXPECT_GE(client.sent_s(), before_s - 8 * 0.01 - 1e-9);
+  EXPECT_LE(client.sent_s(), after_s - 8 * 0.01 + 1e-9);
+  // The second came right behind the first: for longer than that it was not on any wire.
+  client.ask("QT");
+  EXPECT_GE(client.sent_s(), before_s);
+}
+
+/// A sensor at a baud of its own, at a port whose host it hears at that alone.
+class SerialScip final : public ByteDevice {
+ public:
+  enum class Change {
+    kDone,
+    kRefused,
+    kNone
+  };  ///< what SS brings about; kNone: it says "done" and does nothing
+
+  SerialScip(ByteDevice& sensor, const PseudoTerminal& terminal, Change change)
+      : sensor_(sensor), terminal_(terminal), change_(change) {}
+
+  void receive(ByteView bytes, double now_s) override {
+    if (terminal_.host_baud() != baud) return;
+    const std::string text(bytes.begin(), bytes.end());
+    if (!text.starts_with("SS")) return sensor_.receive(bytes, now_s);
+    const std::string status = change_ == Change::kRefused ? "04" : "00";
+    answer_ = text + status + scip_sum(status) + "\n\n";
+    if (change_ == Change::kDone) baud = std::stoi(text.substr(2));
+  }
+  void run(double now_s, Bytes& out) override {
+    out.insert(out.end(), answer_.begin(), answer_.end());
+    answer_.clear();
+    sensor_.run(now_s, out);
+  }
+  double next_event_s() const override { return sensor_.next_event_s(); }
+  void hang_up() override { sensor_.hang_up(); }
+
+  std::atomic<int> baud = 19200;
+
+ private:
+  ByteDevice& sensor_;
+  const PseudoTerminal& terminal_;
+  Change change_;
+  std::string answer_;
+};
+
+TEST(ScipLaserTest, TakesASerialSensorToTheBaudThatIsAskedForWhereItCan) {
+  using Change = SerialScip::Change;
+  for (const Change change : {Change::kDone, Change::kRefused, Change::kNone}) {
+    WideSensor source;
+    EmulatedScip emulated({}, source);
+    PseudoTerminal terminal({});
+    SerialScip sensor(emulated, terminal, change);
+    StopSignal stop;
+    std::thread thread([&] { serve(sensor, terminal, stop); });
+    ScipOptions options;
+    options.path = terminal.path();
+    options.reply_s = 0.1;
+    options.recovery.num_first_attempts = 100;
+    {
+      const auto laser = open_scip(options);
+      LaserScan scan;
+      ASSERT_TRUE(laser->next(scan, kPatience));
+      expect_true_scan(scan);
+      EXPECT_EQ(sensor.baud, change == Change::kDone ? 115200 : 19200);
+    }
+    stop.give();
+    thread.join();
+  }
 }
 
 TEST(ScipScansTest, TellsDamageFromFaults) {

@@ -85,6 +85,7 @@ TEST(SerialPortTest, SetsAnyBaudAndTheStandardOnesByTheirCode) {
   }
   port.set_baud(123456);
   EXPECT_EQ(terminal.host_baud(), 123456);
+  EXPECT_DOUBLE_EQ(port.byte_s(), 10.0 / 123456);
 }
 
 TEST(SerialPortTest, FlushForgetsWhatArrived) {
