@@ -131,7 +131,6 @@ struct EmulatedLms::Answerer {
 
   void operator()(const RequestScanCommand& command) const {
     const bool is_partial = command.what == RequestScanCommand::What::kPartials;
-    if (lms.mode_ == LmsMode::kInstallation) return refuse();
     lms.load_scan(is_partial);
     lms.next_partial_ = 0;
     for (int i = 0; i < (is_partial ? 4 : 1); ++i) lms.reply_scan(lms.next_telegram());

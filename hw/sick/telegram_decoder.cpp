@@ -27,7 +27,8 @@ bool TelegramDecoder::has_good_head(ByteView rest) const {
   const bool is_sensor = talker_ == Talker::kSensor;
   if (rest.size() > 1 && has_top_bit(rest[1]) != is_sensor) return false;
   if (rest.size() >= 4 && (read_word(rest, 2) < 1 || read_word(rest, 2) > kMaxBodyBytes)) return false;
-  return rest.size() < kHeadBytes || has_top_bit(rest[4]) == is_sensor;
+  // A host may send a command that there is not; it is to be told so.
+  return rest.size() < kHeadBytes || !is_sensor || has_top_bit(rest[4]);
 }
 
 TelegramDecoder::Look TelegramDecoder::look() {

@@ -35,7 +35,8 @@ class TelegramDecoder {
   /// add some.
   static constexpr double kExpiry_s = 0.08;
 
-  /// @param talker  whose bytes these are: addresses of a sensor have bit 7 set, and so have its commands.
+  /// @param talker  whose bytes these are: a sensor's addresses and commands have bit 7 set, a host's
+  ///                addresses have not.
   explicit TelegramDecoder(Talker talker) : talker_(talker) {}
 
   void feed(ByteView bytes, double now_s);

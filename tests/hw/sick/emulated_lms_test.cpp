@@ -112,6 +112,13 @@ TEST(EmulatedLmsTest, WritesItsConfigurationInInstallationModeAlone) {
   EXPECT_EQ(bench.lms.counts().num_eeprom_writes, 1);
 }
 
+TEST(EmulatedLmsTest, GivesAScanOnRequestInInstallationModeToo) {
+  Bench bench;
+  bench.ask(SetModeCommand{LmsMode::kInstallation, true});
+  EXPECT_EQ(scans_in(bench.ask(RequestScanCommand{}, 1.0)).size(), 1U);
+  EXPECT_EQ(bench.lms.mode(), LmsMode::kInstallation);
+}
+
 TEST(EmulatedLmsTest, HearsItsOwnAddressAndTheBroadcastAlone) {
   Bench bench({.address = 1});
   const Bytes body = encode(SetModeCommand{LmsMode::kOnRequest});
@@ -123,7 +130,10 @@ TEST(EmulatedLmsTest, HearsItsOwnAddressAndTheBroadcastAlone) {
 TEST(EmulatedLmsTest, SaysNakToADamagedRequestAnd92hToAnUnknownOne) {
   Bench bench;
   EXPECT_EQ(bench.ask(from_hex("02 00 02 00 20 25 35 09")), Bytes{kNotAcknowledge});
-  EXPECT_EQ(bench.ask(frame_telegram(0, from_hex("55"))), with_ack("02 80 02 00 92 10 7F 33"));
+  for (const char* unknown : {"55", "99", "20 99"}) {
+    EXPECT_EQ(bench.ask(frame_telegram(0, from_hex(unknown))), with_ack("02 80 02 00 92 10 7F 33"))
+        << unknown;
+  }
 }
 
 TEST(EmulatedLmsTest, ChangesItsBaudAfterTheReply) {
