@@ -5,12 +5,15 @@
 
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
 #include "core/scan/laser_scan.hpp"
+#include "scenarios/command/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -132,16 +135,23 @@ std::optional<TruthLine> parse_truth_line(const std::string& line) {
   }
 }
 
-TruthWriter::TruthWriter(const std::filesystem::path& path) : file_(path) {
-  if (!file_) throw InputError(fmt::format("--truth {}: cannot be written", path.string()));
+TruthWriter::TruthWriter(const std::filesystem::path& path) : path_(path), file_(path) {
+  check();
+}
+
+void TruthWriter::check() const {
+  if (file_) return;
+  throw OutputFault(fmt::format("--truth {}: cannot be written: {}", path_.string(), std::strerror(errno)));
 }
 
 void TruthWriter::write(std::int64_t scan, std::span<const double> range_m, const Truth& truth) {
   file_ << to_truth_line(scan, range_hash(range_m), truth) << std::flush;
+  check();
 }
 
 TruthReader::TruthReader(const std::filesystem::path& path) : file_(path) {
-  if (!file_) throw InputError(fmt::format("--truth {}: cannot be read", path.string()));
+  if (!file_)
+    throw InputError(fmt::format("--truth {}: cannot be read: {}", path.string(), std::strerror(errno)));
 }
 
 std::optional<TruthLine> TruthReader::next_line() {

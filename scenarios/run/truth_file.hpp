@@ -29,12 +29,16 @@ std::optional<TruthLine> parse_truth_line(const std::string& line);
 /// Writes truth beside the wire: each line is out before the scan that it belongs to.
 class TruthWriter {
  public:
-  /// @throws InputError where the file cannot be made.
+  /// @throws OutputFault where the file cannot be made.
   explicit TruthWriter(const std::filesystem::path& path);
 
+  /// @throws OutputFault where the line cannot be written.
   void write(std::int64_t scan, std::span<const double> range_m, const Truth& truth);
 
  private:
+  void check() const;
+
+  std::filesystem::path path_;
   std::ofstream file_;
 };
 

@@ -13,12 +13,12 @@
 
 namespace scanbed::testing {
 
-/// What an InputError says; "" where nothing is thrown.
-template <typename Action>
+/// What an InputError, or another exception that is asked for, says; "" where nothing is thrown.
+template <typename Error = InputError, typename Action>
 std::string error_of(Action&& action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/scan/laser_scan.hpp"
+#include "scenarios/command/output.hpp"
 #include "tests/scenarios/support.hpp"
 
 namespace scanbed::scenarios {
@@ -99,9 +100,17 @@ TEST(TruthFileTest, FollowsAFileThatGrows) {
   EXPECT_NE(reader.find(ranges(1)), nullptr);
 }
 
-TEST(TruthFileTest, TellsWhichFileCannotBeUsed) {
-  EXPECT_NE(testing::error_of([] { TruthReader("/no/such/file"); }).find("/no/such/file"), std::string::npos);
-  EXPECT_NE(testing::error_of([] { TruthWriter("/no/such/file"); }).find("/no/such/file"), std::string::npos);
+TEST(TruthFileTest, TellsWhichFileCannotBeUsedAndWhy) {
+  EXPECT_EQ(testing::error_of([] { TruthReader("/no/such/file"); }),
+            "--truth /no/such/file: cannot be read: No such file or directory");
+  EXPECT_EQ(testing::error_of<OutputFault>([] { TruthWriter("/no/such/file"); }),
+            "--truth /no/such/file: cannot be written: No such file or directory");
+}
+
+TEST(TruthFileTest, TellsOfALineThatIsLost) {
+  TruthWriter writer("/dev/full");
+  EXPECT_EQ(testing::error_of<OutputFault>([&] { writer.write(0, ranges(0), some_truth(0)); }),
+            "--truth /dev/full: cannot be written: No space left on device");
 }
 
 }  // namespace
