@@ -32,15 +32,43 @@ void make_raw(int fd) {
   if (tcsetattr(fd, TCSANOW, &settings) != 0) throw fault("tcsetattr");
 }
 
+/// A lock on the whole of a port. Hosts lock it by flock(), which knows nothing of these; the system drops it
+/// with the last descriptor, so that a program that was killed leaves none behind.
+struct flock whole_file_lock() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// Whether a pseudo-terminal of this kind is at the other end of a link's target. Its number alone tells
+/// nothing: once it is free, the next terminal gets it.
+bool is_served(const std::string& target) {
+  if (!target.starts_with("/dev/pts/")) return false;
+  const FileDescriptor fd(::open(target.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  // In use by a host, which keeps all others out.
+  if (!fd.is_open()) return errno == EBUSY;
+  struct flock lock = whole_file_lock();
+  return ::fcntl(fd.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
 void put_link(const std::filesystem::path& link, const std::string& target) {
   std::error_code error;
   const auto status = std::filesystem::symlink_status(link, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_symlink(status)) {
     throw InputError(link.string() + ": exists and is no symbolic link; choose another name");
   }
+  const std::string older = std::filesystem::read_symlink(link, error).string();
+  if (older != target && is_served(older)) {
+    throw SensorFault(SensorFault::Kind::kDisconnected,
+                      link.string() + ": another emulator is at this name; end it, or choose another name");
+  }
   std::filesystem::remove(link, error);
   std::filesystem::create_symlink(target, link, error);
-  if (error) throw InputError(link.string() + ": cannot make the link: " + error.message());
+  if (error) {
+    throw SensorFault(SensorFault::Kind::kDisconnected,
+                      link.string() + ": cannot make the link: " + error.message());
+  }
 }
 
 }  // namespace
@@ -56,7 +84,7 @@ PseudoTerminal::~PseudoTerminal() {
 void PseudoTerminal::remove_link() {
   if (link_.empty()) return;
   std::error_code error;
-  // Another emulator may have taken the name over.
+  // Another emulator may have taken the name over while this one was unplugged.
   if (std::filesystem::read_symlink(link_, error) == path_) std::filesystem::remove(link_, error);
 }
 
@@ -70,6 +98,8 @@ void PseudoTerminal::plug() {
   slave_.reset(::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   if (!slave_.is_open()) throw fault(name.data());
   make_raw(slave_.get());
+  struct flock lock = whole_file_lock();
+  if (::fcntl(slave_.get(), F_OFD_SETLK, &lock) != 0) throw fault("lock");
   if (!link_.empty()) put_link(link_, path_);
 }
 

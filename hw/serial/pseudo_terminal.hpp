@@ -14,8 +14,9 @@ namespace scanbed::hw {
 class PseudoTerminal {
  public:
   /// @param link  a symbolic link to path() is put here, over an older link; empty: none.
-  /// @throws InputError where the link cannot be made, or would replace something that is no link.
-  /// @throws SensorFault where the system has no pseudo-terminal left.
+  /// @throws InputError where the link would replace something that is no link.
+  /// @throws SensorFault where the link cannot be made, or is that of another PseudoTerminal that still
+  ///                     lives; and where the system has no pseudo-terminal left.
   explicit PseudoTerminal(std::filesystem::path link);
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
@@ -39,7 +40,7 @@ class PseudoTerminal {
   void unplug();
   bool is_plugged() const { return master_.is_open(); }
 
-  /// Makes a new one under the same link.
+  /// Makes a new one under the same link. @throws as the constructor.
   void plug();
 
  private:

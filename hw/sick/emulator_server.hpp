@@ -14,7 +14,7 @@ namespace scanbed::hw {
 class EmulatorServer {
  public:
   /// @param link  name for the port; empty: only port() names it.
-  /// @throws InputError where the options do not validate or the link cannot be made.
+  /// @throws InputError where the options do not validate; what PseudoTerminal throws for the link.
   EmulatorServer(const EmulatorOptions& options, ScanSource source, ScanFeed::Observer observer,
                  std::filesystem::path link);
 

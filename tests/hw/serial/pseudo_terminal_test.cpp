@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "hw/serial/pseudo_terminal.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <fstream>
 
 #include "core/errors/input_error.hpp"
@@ -15,6 +17,15 @@ namespace {
 
 std::filesystem::path temporary(const char* name) {
   return std::filesystem::path(::testing::TempDir()) / (std::to_string(::getpid()) + name);
+}
+
+std::string fault_of(const std::filesystem::path& link) {
+  try {
+    PseudoTerminal terminal(link);
+  } catch (const SensorFault& fault) {
+    return fault.what();
+  }
+  return "";
 }
 
 TEST(PseudoTerminalTest, CarriesBytesBothWaysUnchanged) {
@@ -55,7 +66,47 @@ TEST(PseudoTerminalTest, ReplacesNoFile) {
   std::ofstream(file) << "precious";
   EXPECT_THROW(PseudoTerminal{file}, InputError);
   EXPECT_TRUE(std::filesystem::is_regular_file(file));
-  EXPECT_THROW(PseudoTerminal{"/no/such/folder/link"}, InputError);
+}
+
+TEST(PseudoTerminalTest, SaysWhyALinkCannotBeMade) {
+  EXPECT_EQ(fault_of("/no/such/folder/link"),
+            "/no/such/folder/link: cannot make the link: No such file or directory");
+}
+
+TEST(PseudoTerminalTest, LeavesTheLinkToWhoHasIt) {
+  const std::filesystem::path link = temporary("_shared");
+  PseudoTerminal first(link);
+  EXPECT_EQ(fault_of(link),
+            link.string() + ": another emulator is at this name; end it, or choose another name");
+  {
+    const SerialPort host(link.string());  // others cannot even open it
+    EXPECT_NE(fault_of(link), "");
+  }
+  EXPECT_EQ(std::filesystem::read_symlink(link), first.path());
+}
+
+TEST(PseudoTerminalTest, ReplacesALinkThatNobodyServes) {
+  const std::filesystem::path link = temporary("_stale");
+  // Both what a killed emulator leaves behind, and its number after somebody else's terminal got it.
+  const FileDescriptor master(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
+  ASSERT_EQ(::unlockpt(master.get()), 0);
+  for (const std::string& target : {std::string("/dev/pts/999999"), std::string(::ptsname(master.get()))}) {
+    std::filesystem::create_symlink(target, link);
+    const PseudoTerminal terminal(link);
+    EXPECT_EQ(std::filesystem::read_symlink(link), terminal.path());
+  }
+}
+
+TEST(PseudoTerminalTest, LeavesALinkThatIsNoLongerItsOwn) {
+  const std::filesystem::path link = temporary("_taken");
+  {
+    PseudoTerminal first(link);
+    first.unplug();
+    const PseudoTerminal second(link);
+    EXPECT_THROW(first.plug(), SensorFault);
+    EXPECT_EQ(std::filesystem::read_symlink(link), second.path());
+  }
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(link)));
 }
 
 TEST(PseudoTerminalTest, UnpluggingEndsTheOtherSide) {

@@ -87,6 +87,39 @@ TEST_F(EmulateTest, EndsAfterTheTimeGiven) {
   EXPECT_TRUE(outcome.out.starts_with("/dev/pts/")) << outcome.out;
 }
 
+TEST_F(EmulateTest, FaultsOfFilesEndItWithTheirReason) {
+  const Outcome no_truth = run_program({"emulate", "static_hallway", "--truth", "/no/such/file"});
+  EXPECT_EQ(no_truth.exit_code, 3);
+  EXPECT_EQ(no_truth.err,
+            "scanbed: error: --truth /no/such/file: cannot be written: No such file or directory\n");
+  const Outcome no_link = run_program({"emulate", "static_hallway", "--link", "/no/such/folder/lms"});
+  EXPECT_EQ(no_link.exit_code, 3);
+  EXPECT_EQ(no_link.err,
+            "scanbed: error: /no/such/folder/lms: cannot make the link: No such file or directory\n");
+}
+
+TEST_F(EmulateTest, EndsWhereItsTruthIsLost) {
+  const auto emulator = start({"--truth", "/dev/full"});
+  Program host({"detect", "--laser", laser()});
+  const Outcome outcome = emulator->wait();
+  host.send(SIGINT);
+  host.wait();
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find("--truth /dev/full: cannot be written: No space left"), std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(EmulateTest, RefusesTheNameOfAnotherThatRuns) {
+  const auto first = start({});
+  const Outcome second = run_program({"emulate", "static_hallway", "--link", link()});
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_NE(second.err.find("another emulator"), std::string::npos) << second.err;
+  EXPECT_TRUE(std::filesystem::exists(link()));
+  first->send(SIGKILL);
+  first->wait();
+  EXPECT_EQ(run_program({"emulate", "static_hallway", "--link", link(), "--for", "0.1"}).exit_code, 0);
+}
+
 TEST_F(EmulateTest, RefusesBadInputInOneLine) {
   const auto refused = [](const std::vector<std::string>& arguments) {
     const Outcome outcome = run_program(arguments);
