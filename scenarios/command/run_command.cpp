@@ -124,7 +124,7 @@ class Reporter {
 
   ExitCode finish() {
     if (prints() && num_runs_ > 1) {
-      write_whole(std::nullopt, (command_.tables ? "\n" : "") + run_summary(results_));
+      write_whole(std::nullopt, (command_.tables ? "\n" : "") + run_summary(results_, num_runs_));
     }
     if (json_) {
       json_->write(run_json(results_));

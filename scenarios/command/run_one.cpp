@@ -68,7 +68,10 @@ RunAndPictures run_on_device(const RunCommand& command, const Run& run) {
                                                  .is_interrupted = is_interrupted,
                                                  .truth = command.truth,
                                                  .warn = log_warning});
-  return {.result = run_on(sensor, command, run), .pictures = {}};
+  RunAndPictures done{.result = run_on(sensor, command, run), .pictures = {}};
+  // An interrupt mostly comes while a scan is waited for, and then no observer notices it.
+  done.result.interrupted = done.result.interrupted || is_interrupted();
+  return done;
 }
 
 RunAndPictures run_on_laser(const RunCommand& command, const Run& run) {

@@ -144,7 +144,7 @@ void append_missed(std::string& out, Runs runs, const Missed& missed) {
   out += reason ? "; known failure: " + *reason + "\n" : "\n";
 }
 
-// Runs that were broken off, or had no truth, have fewer bars than the others.
+// Runs that had no truth have fewer bars than the others.
 void append_all_missed(std::string& out, Runs runs) {
   std::size_t num_gates = runs.front().gates.size();
   std::size_t num_expectations = runs.front().expectations.size();
@@ -166,9 +166,15 @@ void append_collisions(std::string& out, Runs runs) {
          sim::to_string(first->collisions.front()), first->seed);
 }
 
-}  // namespace
+// A run that was cut off has not seen all that its bars ask for: a miss of it would be made up.
+std::vector<RunResult> complete(Runs results) {
+  std::vector<RunResult> complete;
+  std::copy_if(results.begin(), results.end(), std::back_inserter(complete),
+               [](const RunResult& run) { return !run.interrupted; });
+  return complete;
+}
 
-std::string run_summary(std::span<const RunResult> results) {
+std::string summary_of_complete(Runs results) {
   if (results.empty()) return "no runs\n";
   std::string out = fmt::format("preset {}, laser {}\n", results[0].preset, results[0].laser);
   append(out, "  {:<31}{:>22}{:>22}{:>22}{:>8}\n", "", "lines   ", "circles   ", "legs   ", "people");
@@ -185,6 +191,17 @@ std::string run_summary(std::span<const RunResult> results) {
   append(out, "\n{} scenarios, {} runs: ", groups.size(), results.size());
   out += num_refused == 0 ? "no gate missed that is not known to fail\n"
                           : fmt::format("{} missed a gate\n", num_refused);
+  return out;
+}
+
+}  // namespace
+
+std::string run_summary(std::span<const RunResult> results, int num_runs) {
+  const std::vector<RunResult> runs = complete(results);
+  std::string out = summary_of_complete(runs);
+  if (static_cast<int>(runs.size()) < num_runs) {
+    append(out, "interrupted after {} of {} runs\n", runs.size(), num_runs);
+  }
   return out;
 }
 

@@ -19,6 +19,11 @@ RunResult result(const std::string& name, std::uint64_t seed) {
   return result;
 }
 
+// Of runs that were not interrupted.
+std::string summary(const std::vector<RunResult>& results) {
+  return run_summary(results, static_cast<int>(results.size()));
+}
+
 bool holds_line(const std::string& text, const std::string& begin, const std::string& end) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -29,7 +34,7 @@ bool holds_line(const std::string& text, const std::string& begin, const std::st
 
 TEST(RunSummaryTest, HasARowForEachScenario) {
   const std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("room", 1)};
-  const std::string text = run_summary(results);
+  const std::string text = summary(results);
   EXPECT_TRUE(holds_line(text, "  hall                          2 ", "  pass")) << text;
   EXPECT_TRUE(holds_line(text, "  room                          1 ", "  pass")) << text;
   EXPECT_NE(text.find("0.800"), std::string::npos) << "recall of circles, 16 of 20: " << text;
@@ -42,7 +47,7 @@ TEST(RunSummaryTest, TellsTheWorstOfAMissedGate) {
     results[run].gates[0].value = value;
     results[run].gates[0].met = false;
   }
-  const std::string text = run_summary(results);
+  const std::string text = summary(results);
   EXPECT_TRUE(holds_line(text, "  hall  ", "MISS in 2 of 3")) << text;
   EXPECT_TRUE(holds_line(text, "hall: circle recall >= 0.75: missed in 2 of 3", "worst 0.5 (seed 2)"))
       << text;
@@ -54,7 +59,7 @@ TEST(RunSummaryTest, TellsWhyAKnownFailureFails) {
   results[0].gates[0].met = false;
   results[0].gates[0].need.known_fail = "too thin";
   results[1].gates[0].need.known_fail = "too thin";
-  const std::string text = run_summary(results);
+  const std::string text = summary(results);
   EXPECT_TRUE(holds_line(text, "  hall  ", "known failure")) << text;
   EXPECT_TRUE(holds_line(text, "missed in 1 of 2", "known failure: too thin")) << text;
   EXPECT_NE(text.find("no gate missed that is not known"), std::string::npos);
@@ -62,20 +67,31 @@ TEST(RunSummaryTest, TellsWhyAKnownFailureFails) {
 
 TEST(RunSummaryTest, TellsWhoRanIntoWhom) {
   std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("room", 3)};
-  EXPECT_EQ(run_summary(results).find("collisions"), std::string::npos);
+  EXPECT_EQ(summary(results).find("collisions"), std::string::npos);
   results[1].collisions = {{1.25, "robot", "post"}, {2.5, "ann", "ben"}};
-  const std::string text = run_summary(results);
+  const std::string text = summary(results);
   EXPECT_NE(text.find("\n  hall: collisions in 1 of 2 runs; at 1.25 s robot runs into post (seed 2)\n"),
             std::string::npos)
       << text;
+}
+
+TEST(RunSummaryTest, LeavesOutRunsThatWereCutOffAndSaysSo) {
+  std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("hall", 3)};
+  results[2].interrupted = true;
+  results[2].gates[0].met = false;
+  const std::string text = run_summary(results, 400);
+  EXPECT_TRUE(holds_line(text, "  hall                          2 ", "  pass")) << text;
+  EXPECT_EQ(text.find("missed in"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("known to fail\ninterrupted after 2 of 400 runs\n")) << text;
+  EXPECT_EQ(run_summary({}, 2), "no runs\ninterrupted after 0 of 2 runs\n");
 }
 
 TEST(RunSummaryTest, SurvivesRunsWithoutTruthAndNoRuns) {
   RunResult bare = result("hall", 1);
   bare.scores.reset();
   bare.gates.clear();
-  EXPECT_TRUE(holds_line(run_summary(std::vector{bare, result("hall", 2)}), "  hall  ", "pass"));
-  EXPECT_EQ(run_summary({}), "no runs\n");
+  EXPECT_TRUE(holds_line(summary({bare, result("hall", 2)}), "  hall  ", "pass"));
+  EXPECT_EQ(summary({}), "no runs\n");
 }
 
 }  // namespace
