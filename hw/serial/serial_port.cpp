@@ -49,11 +49,16 @@ std::string advice(int error, const std::string& path) {
   }
 }
 
-FileDescriptor open_port(const std::string& path) {
+FileDescriptor open_terminal(const std::string& path) {
   FileDescriptor fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   if (!fd.is_open()) throw fault(path + ": " + advice(errno, path));
   termios2 settings{};
   if (::ioctl(fd.get(), TCGETS2, &settings) != 0) throw fault(path + ": " + advice(errno, path));
+  return fd;
+}
+
+FileDescriptor open_port(const std::string& path) {
+  FileDescriptor fd = open_terminal(path);
   // TIOCEXCL keeps other users out, the lock also a second scanbed of the superuser.
   if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) throw fault(path + ": " + advice(errno, path));
   ::ioctl(fd.get(), TIOCEXCL);
@@ -177,6 +182,10 @@ void SerialPort::write(ByteView bytes, const StopSignal& stop) {
       throw SensorFault(SensorFault::Kind::kTimeout, path_ + ": the port takes no bytes");
     }
   }
+}
+
+void check_port(const std::string& path) {
+  open_terminal(path);
 }
 
 int terminal_baud(int fd) {

@@ -43,6 +43,10 @@ class SerialPort final : public ByteLink {
   bool is_usb_device_;
 };
 
+/// Opens a port and leaves it as it was: its settings, and what is sent and received.
+/// @throws SensorFault as SerialPort does where there is no port of that name, or it may not be opened.
+void check_port(const std::string& path);
+
 /// Baud that the terminal behind a descriptor is set to, of a pseudo-terminal's master: that of its other
 /// end. 0 where it is none.
 int terminal_baud(int fd);

@@ -22,7 +22,8 @@ constexpr const char* kMainHelp = R"(Examples:
   scanbed run static_hallway --out pictures
   scanbed detect --laser log:FILE.log > features.jsonl
 'scanbed COMMAND --help' tells more.
-Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O fault, 130 interrupted.)";
+Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O fault,
+130 interrupted (Ctrl-C), 143 terminated (SIGTERM); what was done until then is written.)";
 
 // In the order of the help.
 std::vector<Usage> all_usages() {

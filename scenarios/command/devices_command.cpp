@@ -26,19 +26,28 @@ std::string describe(const hw::LmsIdentity& identity) {
   return text;
 }
 
-/// What is at a port, in a few words; it is left as it was, but for a stream that it may have sent.
+/// What is at a port, in a few words; it is left as it was, but for a stream that it may have sent. Empty
+/// where the user broke it off.
 std::string probe(const std::string& path) {
-  const hw::StopSignal stop;
-  try {
+  std::string found;
+  work_until_interrupted([&](const hw::StopSignal& stop) {
     hw::SerialPort port(path);
     hw::LmsLink link(port, {}, stop);
-    return describe(hw::find_lms(link, hw::probe_order(9600)));
-  } catch (const SensorFault& fault) {
-    if (fault.kind() == SensorFault::Kind::kTimeout) return "no LMS answers";
-    // The line begins with the port already.
-    const std::string text = fault.what();
-    return text.starts_with(path + ": ") ? text.substr(path.size() + 2) : text;
-  }
+    try {
+      found = describe(hw::find_lms(link, hw::probe_order(9600)));
+    } catch (const SensorFault& fault) {
+      if (fault.kind() != SensorFault::Kind::kTimeout) throw;
+      found = "no LMS answers";
+    }
+  });
+  return found;
+}
+
+std::string line_of(const hw::PortName& port, bool is_probing) {
+  std::string line = port.path;
+  if (port.device != port.path) line += fmt::format(" ({})", port.device);
+  if (is_probing) line += ": " + probe(port.path);
+  return line + "\n";
 }
 
 }  // namespace
@@ -48,14 +57,22 @@ ExitCode execute(const DevicesCommand& command) {
   for (const std::string& path : command.ports) ports.push_back({path, path});
   if (command.ports.empty()) ports = hw::list_ports();
   if (ports.empty()) log_note("no serial port is here; is the adapter plugged in?");
+  ExitCode code = kExitFine;
   for (const hw::PortName& port : ports) {
-    if (is_interrupted()) return kExitInterrupted;
-    std::string line = port.path;
-    if (port.device != port.path) line += fmt::format(" ({})", port.device);
-    if (command.is_probing) line += ": " + probe(port.path);
-    write_whole(std::nullopt, line + "\n");
+    // All ports are told about, not the first bad one alone.
+    try {
+      if (!command.ports.empty()) hw::check_port(port.path);
+      const std::string line = line_of(port, command.is_probing);
+      if (is_interrupted()) return kExitInterrupted;
+      write_whole(std::nullopt, line);
+    } catch (const SensorFault& fault) {
+      const std::string text = fault.what();
+      const std::string start = port.path + ": ";
+      log_error(text.starts_with(start) ? text : start + text);
+      code = kExitFault;
+    }
   }
-  return kExitFine;
+  return code;
 }
 
 Usage devices_usage() {
@@ -65,7 +82,9 @@ Usage devices_usage() {
       {"PORT", "", "These alone", &command->ports},
       {"--probe", "", "Ask each port for an LMS; sends bytes to whatever is there", &command->is_probing},
   };
-  usage.footer = R"(Examples:
+  usage.footer =
+      R"(Exit code 3 where a PORT is none or cannot be asked; one at which no LMS answers is listed.
+Examples:
   scanbed devices
   scanbed devices --probe /dev/ttyUSB0)";
   usage.command = [command] { return *command; };

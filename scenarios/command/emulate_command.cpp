@@ -2,12 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <exception>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "core/errors/input_error.hpp"
 #include "hw/sick/emulator_server.hpp"
@@ -23,32 +19,6 @@
 
 namespace scanbed::scenarios {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Serves in a thread of its own until the user or the time ends it, or the source of the scans fails.
-void serve(hw::EmulatorServer& server, const std::optional<double>& duration_s) {
-  hw::StopSignal stop;
-  std::exception_ptr failure;
-  std::atomic<bool> has_ended = false;
-  std::thread thread([&] {
-    try {
-      server.run(stop);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    has_ended = true;
-  });
-  const auto start = Clock::now();
-  const auto is_over = [&] {
-    return duration_s && Clock::now() - start >= std::chrono::duration<double>(*duration_s);
-  };
-  while (!is_interrupted() && !has_ended && !is_over())
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  stop.give();
-  thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
 
 struct EmulateTexts {
   std::vector<std::string> scenarios;
@@ -105,7 +75,7 @@ ExitCode execute(const EmulateCommand& command) {
       command.link);
   write_whole(std::nullopt, server.port() + "\n");
   log_note(fmt::format("a simulated LMS 200 is at {}; end it with Ctrl-C", server.port()));
-  serve(server, command.duration_s);
+  work_until_interrupted([&](const hw::StopSignal& stop) { server.run(stop); }, command.duration_s);
   return is_interrupted() ? kExitInterrupted : kExitFine;
 }
 

@@ -3,13 +3,18 @@
 
 #include <signal.h>
 
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <thread>
+
 namespace scanbed::scenarios {
 namespace {
 
 volatile sig_atomic_t interrupted = 0;
 
-extern "C" void mark_interrupt(int) {
-  interrupted = 1;
+extern "C" void mark_interrupt(int signal) {
+  interrupted = signal;
 }
 
 }  // namespace
@@ -21,11 +26,43 @@ void watch_signals() {
   on_interrupt.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&on_interrupt.sa_mask);
   sigaction(SIGINT, &on_interrupt, nullptr);
+  sigaction(SIGTERM, &on_interrupt, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
 }
 
+int interrupting_signal() {
+  return interrupted;
+}
+
 bool is_interrupted() {
-  return interrupted != 0;
+  return interrupting_signal() != 0;
+}
+
+void work_until_interrupted(const std::function<void(const hw::StopSignal&)>& work,
+                            const std::optional<double>& duration_s) {
+  using Clock = std::chrono::steady_clock;
+  hw::StopSignal stop;
+  std::exception_ptr failure;
+  std::atomic<bool> has_ended = false;
+  std::thread thread([&] {
+    try {
+      work(stop);
+    } catch (const hw::Stopped&) {
+      // As it was told to.
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    has_ended = true;
+  });
+  const auto start = Clock::now();
+  const auto is_over = [&] {
+    return duration_s && Clock::now() - start >= std::chrono::duration<double>(*duration_s);
+  };
+  while (!is_interrupted() && !has_ended && !is_over())
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  stop.give();
+  thread.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace scanbed::scenarios

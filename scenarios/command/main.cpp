@@ -12,7 +12,10 @@ int main(int argc, char** argv) {
   using namespace scanbed::scenarios;
   try {
     watch_signals();
-    return std::visit([](const auto& command) { return execute(command); }, parse_command_line(argc, argv));
+    const ExitCode code =
+        std::visit([](const auto& command) { return execute(command); }, parse_command_line(argc, argv));
+    // As shells count: 130 for SIGINT, 143 for SIGTERM.
+    return code == kExitInterrupted ? 128 + interrupting_signal() : code;
   } catch (const InputError& error) {
     log_error(error.what());
     return kExitBadInput;

@@ -5,7 +5,11 @@
 #include <signal.h>
 
 #include <chrono>
+#include <stdexcept>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "tests/scenarios/run_program.hpp"
 #include "tests/scenarios/scenario_text.hpp"
@@ -23,17 +27,53 @@ TEST(InterruptTest, MarksTheFirstAndDiesOfTheSecond) {
   EXPECT_FALSE(is_interrupted());
 }
 
-TEST(InterruptTest, EndsARunAfterTheScanInHandWithWhatWasDone) {
+/// What is left of a run that a signal meets in the middle of it.
+testing::Outcome interrupted_run(int signal, const std::vector<std::string>& more = {}) {
   const testing::TemporaryFolder folder;
   // A day in the world: far longer than the test waits.
   const std::string file =
       testing::write_file(folder / "long.yaml", "schema: 1\nname: long\nduration: 86400\n").string();
-  testing::Program program({"run", file});
+  std::vector<std::string> arguments = {"run", file};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  testing::Program program(arguments);
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  program.send(SIGINT);
-  const testing::Outcome outcome = program.wait();
+  program.send(signal);
+  return program.wait();
+}
+
+TEST(InterruptTest, EndsARunAfterTheScanInHandWithWhatWasDone) {
+  for (const auto& [signal, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    const testing::Outcome outcome = interrupted_run(signal);
+    EXPECT_EQ(outcome.exit_code, exit_code);
+    EXPECT_NE(outcome.out.find("(interrupted)"), std::string::npos) << outcome.out;
+  }
+}
+
+TEST(InterruptTest, LeavesRunsThatAreCutOffOutOfTheSummary) {
+  const testing::Outcome outcome = interrupted_run(SIGINT, {"--seed", "1..3", "--jobs", "2"});
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_NE(outcome.out.find("(interrupted)"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out, "no runs\ninterrupted after 0 of 3 runs\n");
+}
+
+TEST(InterruptTest, EndsWorkThatWaitsAtOnce) {
+  using Clock = std::chrono::steady_clock;
+  watch_signals();
+  const auto start = Clock::now();
+  work_until_interrupted([](const hw::StopSignal& stop) {
+    ::raise(SIGTERM);
+    stop.sleep(60.0);
+  });
+  EXPECT_EQ(interrupting_signal(), SIGTERM);
+  watch_signals();
+  work_until_interrupted([](const hw::StopSignal& stop) { stop.sleep(60.0); }, 0.05);
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(30));
+  EXPECT_FALSE(is_interrupted());
+}
+
+TEST(InterruptTest, TellsHowWorkFailed) {
+  watch_signals();
+  EXPECT_THROW(work_until_interrupted([](const hw::StopSignal&) { throw std::runtime_error("broken"); }),
+               std::runtime_error);
 }
 
 }  // namespace
