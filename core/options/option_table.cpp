@@ -48,7 +48,7 @@ constexpr std::array<std::string_view, 4> kMotionSources = {"auto", "scans", "od
 
 template <auto kMember>
 Option segmentation(std::string_view path, std::string_view effect) {
-  return row<&All::detector, &DetectorOptions::segmentation, kMember>(path, effect);
+  return row<&All::detector, &DetectorOptions::segmentation, kMember>(path, effect, kSegments);
 }
 
 template <auto kMember>
@@ -62,8 +62,8 @@ Option line(std::string_view path, std::string_view effect, OptionReader reader 
 }
 
 template <auto kMember>
-Option leg(std::string_view path, std::string_view effect) {
-  return row<&All::detector, &DetectorOptions::leg, kMember>(path, effect);
+Option leg(std::string_view path, std::string_view effect, OptionReader reader = kLegRules) {
+  return row<&All::detector, &DetectorOptions::leg, kMember>(path, effect, reader);
 }
 
 template <auto kMember>
@@ -117,13 +117,13 @@ const std::array kTable = {
                                                   "of inscribed angles from half a turn"),
     line<&LineOptions::max_std_rad>("line.max_std_rad", "of the inscribed angles of a line"),
 
-    leg<&LegOptions::enabled>("leg.enabled", "look for legs"),
+    leg<&LegOptions::enabled>("leg.enabled", "look for legs", kBoth),
     row<&All::detector, &DetectorOptions::leg, &LegOptions::scorer>(
         "leg.scorer", "tells legs by rules of size and shape, or by a forest that sees the surroundings too",
         kBoth, kLegScorers),
-    leg<&LegOptions::min_score>("leg.min_score", "legs of a lower score are not reported ..."),
+    leg<&LegOptions::min_score>("leg.min_score", "legs of a lower score are not reported ...", kBoth),
     leg<&LegOptions::min_doubtful_score>("leg.min_doubtful_score",
-                                         "... but tracking may follow them from this one on; 1: none"),
+                                         "... but tracking may follow them from this one on; 1: none", kBoth),
     leg<&LegOptions::min_width_m>("leg.min_width_m", "rules: chord of the segment"),
     leg<&LegOptions::max_width_m>("leg.max_width_m", "rules: chord of the segment"),
     leg<&LegOptions::min_points>("leg.min_points", "rules: fewer points make no leg"),
@@ -262,6 +262,40 @@ std::string_view Option::unit() const {
     if (path.ends_with(ending.ending)) return ending.unit;
   }
   return {};
+}
+
+std::string_view to_string(OptionReader reader) {
+  switch (reader) {
+    case OptionReader::kBoth:
+      return "both pipelines";
+    case OptionReader::kPaper:
+      return "the paper pipeline";
+    case OptionReader::kRobust:
+      return "the robust pipeline";
+    case OptionReader::kLegRules:
+      return "leg.scorer: rules";
+    case OptionReader::kSegments:
+      return "the paper pipeline or leg.scorer: rules";
+  }
+  return "";
+}
+
+bool Option::is_read(const AnalysisOptions& options) const {
+  const bool is_paper = options.detector.pipeline == Pipeline::kPaper;
+  const bool has_rules = options.detector.leg.scorer == LegScorer::kRules;
+  switch (reader) {
+    case OptionReader::kBoth:
+      return true;
+    case OptionReader::kPaper:
+      return is_paper;
+    case OptionReader::kRobust:
+      return !is_paper;
+    case OptionReader::kLegRules:
+      return has_rules;
+    case OptionReader::kSegments:
+      return is_paper || has_rules;
+  }
+  return true;
 }
 
 std::string Option::text(const AnalysisOptions& options) const {

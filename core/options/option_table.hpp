@@ -11,8 +11,17 @@ namespace scanbed {
 
 enum class OptionKind { kReal, kWhole, kFlag, kChoice };
 
-/// Which pipeline reads an option.
-enum class OptionReader { kBoth, kPaper, kRobust };
+/// What reads an option.
+enum class OptionReader {
+  kBoth,      ///< both pipelines
+  kPaper,     ///< the paper pipeline
+  kRobust,    ///< the robust pipeline
+  kLegRules,  ///< rules that tell legs: leg.scorer
+  kSegments,  ///< the paper pipeline, and rules that tell legs in any
+};
+
+/// "the paper pipeline"; for a message that only this reads the option.
+std::string_view to_string(OptionReader reader);
 
 /// One option by its public name: what configuration files say, and what it does.
 struct Option {
@@ -27,6 +36,8 @@ struct Option {
   std::string_view group() const;  ///< "circle"; empty where the option stands in none
   std::string_view name() const;   ///< "max_std_rad"
   std::string_view unit() const;   ///< "rad", as the name's ending says; empty where it has none
+  /// Whether it makes a difference beside the other options.
+  bool is_read(const AnalysisOptions& options) const;
   /// The value as configuration files write it.
   std::string text(const AnalysisOptions& options) const;
 };

@@ -68,10 +68,8 @@ std::string to_text(const hw::RecordingCounts& counts) {
 
 AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings) {
   const DetectorSettings result = detector_settings(choice, settings);
-  for (const std::string& name : result.idle) {
-    const bool is_paper = result.options.detector.pipeline == Pipeline::kPaper;
-    log_warning(fmt::format("{}: changes nothing here, only the {} pipeline reads it", name,
-                            is_paper ? "robust" : "paper"));
+  for (const IdleOption& idle : result.idle) {
+    log_warning(fmt::format("{}: changes nothing here, only {} reads it", idle.name, idle.reader));
   }
   return result.options;
 }

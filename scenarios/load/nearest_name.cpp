@@ -49,8 +49,13 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
   return nearest;
 }
 
+std::string near_name_hint(std::string_view word, std::span<const std::string> known) {
+  const std::optional<std::string> nearest = nearest_name(word, known);
+  return nearest ? fmt::format("; did you mean '{}'?", *nearest) : "";
+}
+
 std::string name_hint(std::string_view word, std::span<const std::string> known, std::string_view what) {
-  if (const auto nearest = nearest_name(word, known)) return fmt::format("; did you mean '{}'?", *nearest);
+  if (std::string hint = near_name_hint(word, known); !hint.empty()) return hint;
   if (known.empty()) return fmt::format("; there are no known {}", what);
   return fmt::format("; known {}: {}", what, fmt::join(known, ", "));
 }

@@ -18,7 +18,10 @@ int edit_distance(std::string_view a, std::string_view b);
 /// letters. Of several equally near, the first.
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> known);
 
-/// "; did you mean 'radius'?" or, where no name is near, "; known keys: at, r" (with `what` in place of
+/// "; did you mean 'radius'?"; empty where no name is near.
+std::string near_name_hint(std::string_view word, std::span<const std::string> known);
+
+/// The same or, where no name is near, "; known keys: at, r" (with `what` in place of
 /// "keys").
 std::string name_hint(std::string_view word, std::span<const std::string> known, std::string_view what);
 

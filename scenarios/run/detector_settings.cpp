@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "core/detect/presets.hpp"
 #include "core/detect/table_two.hpp"
@@ -45,10 +45,19 @@ double number_of(const Option& option, const Value& value) {
   return value.number();
 }
 
-/// Reads one tree of options into `settings`; remembers where each value stood, for errors.
+/// An option as it was asked for.
+struct Given {
+  std::string name;       // of Table II, or the path
+  std::string_view path;  // of the option; empty where Table II has it for completeness alone
+  Place place;
+};
+
+/// Reads one tree of options into `options`; remembers where each value stood, for errors.
 class Reader {
  public:
-  explicit Reader(DetectorSettings& settings) : settings_(settings) {}
+  explicit Reader(AnalysisOptions& options) : options_(options) {}
+
+  const std::vector<Given>& given() const { return given_; }
 
   void read(const TreeNode& root) {
     const Variables none;
@@ -81,44 +90,69 @@ class Reader {
   }
 
   void set(const Option& option, const Value& value) {
-    option.set(settings_.options, number_of(option, value));
-    places_[std::string(option.path)] = value.node().place;
-    given_.emplace_back(option.path, option.path);
+    option.set(options_, number_of(option, value));
+    note(std::string(option.path), option.path, value);
   }
 
   // A value out of range is told with its place, like everything else in a file.
   void set_table_two_at(const TableTwoEntry& entry, const Value& value) {
     const double number = value.number();
     try {
-      set_table_two(settings_.options.detector, entry.name, number);
+      set_table_two(options_.detector, entry.name, number);
     } catch (const InputError& error) {
       refuse(value.node().place, error.what());
     }
-    places_[std::string(entry.option)] = value.node().place;
-    given_.emplace_back(entry.name, entry.option);
+    note(std::string(entry.name), entry.option, value);
+  }
+
+  // One option may have two names; which of two values was meant, nobody could tell.
+  void note(std::string name, std::string_view path, const Value& value) {
+    const Place& place = value.node().place;
+    if (const Given* other = find(path)) {
+      refuse(place, fmt::format("{}: is {} by another name, which is given on line {}", name, other->name,
+                                other->place.line));
+    }
+    given_.push_back({std::move(name), path, place});
+  }
+
+  const Given* find(std::string_view path) const {
+    const auto found =
+        std::find_if(given_.begin(), given_.end(), [&](const Given& given) { return given.path == path; });
+    return found == given_.end() ? nullptr : &*found;
   }
 
   void validate() {
     try {
-      settings_.options.validate();
+      options_.validate();
     } catch (const InputError& error) {
       const std::string message = error.what();
-      const auto place = places_.find(message.substr(0, message.find(':')));
-      if (place == places_.end()) throw;
-      refuse(place->second, message);
-    }
-    const bool is_paper = settings_.options.detector.pipeline == Pipeline::kPaper;
-    for (const auto& [name, path] : given_) {
-      const Option* option = find_option(path);
-      if (option == nullptr || option->reader == OptionReader::kBoth) continue;
-      if ((option->reader == OptionReader::kPaper) != is_paper) settings_.idle.push_back(name);
+      const Given* given = find(message.substr(0, message.find(':')));
+      if (given == nullptr) throw;
+      refuse(given->place, message);
     }
   }
 
-  DetectorSettings& settings_;
-  std::map<std::string, Place> places_;
-  std::vector<std::pair<std::string, std::string>> given_;  // as it was written, and the option's path
+  AnalysisOptions& options_;
+  std::vector<Given> given_;
 };
+
+TreeNode read_config(const std::filesystem::path& path) {
+  TreeNode root = read_yaml(path);
+  if (root.kind == TreeNode::Kind::kNothing) {
+    throw InputError(path.string() + ": is empty; expected options, see 'scanbed options'");
+  }
+  return root;
+}
+
+std::vector<IdleOption> idle_of(const std::vector<Given>& given, const AnalysisOptions& options) {
+  std::vector<IdleOption> idle;
+  for (const Given& one : given) {
+    const Option* option = find_option(one.path);
+    if (option == nullptr || option->is_read(options)) continue;
+    idle.push_back({one.name, to_string(option->reader)});
+  }
+  return idle;
+}
 
 std::string comment_of(const Option& option, const AnalysisOptions& options) {
   std::string comment(option.effect);
@@ -130,12 +164,6 @@ std::string comment_of(const Option& option, const AnalysisOptions& options) {
     comment += fmt::format(" (Table II: {}{}{})", entry.name, entry.unit.empty() ? "" : ", ", entry.unit);
   }
   return comment;
-}
-
-// What the chosen pipeline does not read is left out of what is printed.
-bool is_read(const Option& option, const AnalysisOptions& options) {
-  const bool is_paper = options.detector.pipeline == Pipeline::kPaper;
-  return option.reader == OptionReader::kBoth || (option.reader == OptionReader::kPaper) == is_paper;
 }
 
 }  // namespace
@@ -151,15 +179,29 @@ bool is_detector_setting(std::string_view path) {
   });
 }
 
+std::string near_detector_setting_hint(std::string_view path) {
+  std::vector<std::string> names;
+  for (const TableTwoEntry& entry : table_two()) names.emplace_back(entry.name);
+  for (const Option& option : option_table()) names.emplace_back(option.path);
+  return near_name_hint(path, names);
+}
+
 DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings) {
-  DetectorSettings result{.options = options_of(choice.preset), .idle = {}};
-  if (choice.config) Reader(result).read(read_yaml(*choice.config));
+  AnalysisOptions options = options_of(choice.preset);
+  std::vector<Given> given;
+  const auto read = [&](const TreeNode& root) {
+    Reader reader(options);
+    reader.read(root);
+    given.insert(given.end(), reader.given().begin(), reader.given().end());
+  };
+  if (choice.config) read(read_config(*choice.config));
   for (const Setting& setting : settings) {
     TreeNode root;
     set_path(root, setting);
-    Reader(result).read(root);
+    read(root);
   }
-  return result;
+  // In the end, since a later setting may choose who reads an earlier one.
+  return {.options = options, .idle = idle_of(given, options)};
 }
 
 std::string options_yaml(const DetectorChoice& choice, std::span<const Setting> settings) {
@@ -168,7 +210,7 @@ std::string options_yaml(const DetectorChoice& choice, std::span<const Setting> 
       fmt::format("# Options of preset {}, for --config FILE and --set NAME=VALUE.\n", choice.preset);
   std::string_view group;
   for (const Option& option : option_table()) {
-    if (!is_read(option, options)) continue;
+    if (!option.is_read(options)) continue;  // would only change nothing
     if (option.group() != group) text += fmt::format("{}:\n", option.group());
     group = option.group();
     const std::string entry =

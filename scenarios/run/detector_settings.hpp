@@ -20,20 +20,33 @@ struct DetectorChoice {
       config;  ///< YAML of options, as `scanbed options` prints, or Table II names
 };
 
+/// An option that was asked for, but changes nothing.
+struct IdleOption {
+  std::string name;         ///< as it was given
+  std::string_view reader;  ///< what alone reads it
+
+  friend bool operator==(const IdleOption&, const IdleOption&) = default;
+};
+
 /// Options, and which of those asked for change nothing.
 struct DetectorSettings {
   AnalysisOptions options;
-  std::vector<std::string> idle;  ///< names that were given, but the pipeline does not read
+  std::vector<IdleOption> idle;
 };
 
 /// Whether `path` is one of Table II's parameters, or lies in a group of options: then it is not the
 /// scenario's.
 bool is_detector_setting(std::string_view path);
 
+/// "; did you mean 'surface.arc_price'?" for a path that is no detector's setting; empty where none is near.
+std::string near_detector_setting_hint(std::string_view path);
+
 /// The preset, changed by the file, changed by the settings: options by their path ("circle.max_std_rad"), or
 /// Table II's names in its units.
 ///
-/// @throws InputError for an unknown preset, group or option, and naming option, value and allowed range.
+/// @throws InputError for an unknown preset, group or option, and naming option, value and allowed range; for
+/// a
+///                    file that is empty or gives one option under both its names.
 DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings);
 
 /// All options of a preset as YAML for `--config`, with units, effects and Table II's names beside them.

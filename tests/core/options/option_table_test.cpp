@@ -58,6 +58,27 @@ TEST(OptionTableTest, ValidationKnowsTheSameNames) {
   }
 }
 
+TEST(OptionTableTest, TellsWhetherAnOptionIsRead) {
+  const auto is_read = [](std::string_view path, const AnalysisOptions& options) {
+    return find_option(path)->is_read(options);
+  };
+  AnalysisOptions options = robust();
+  EXPECT_TRUE(is_read("leg.min_score", options));
+  EXPECT_TRUE(is_read("surface.arc_price", options));
+  for (const char* path : {"line.max_error_m", "segmentation.min_points", "leg.max_width_m"}) {
+    EXPECT_FALSE(is_read(path, options)) << path;
+  }
+  options.detector.leg.scorer = LegScorer::kRules;
+  EXPECT_FALSE(is_read("line.max_error_m", options));
+  EXPECT_TRUE(is_read("segmentation.min_points", options));
+  EXPECT_TRUE(is_read("leg.max_width_m", options));
+  options.detector = paper_options();
+  options.detector.leg.scorer = LegScorer::kForest;
+  EXPECT_FALSE(is_read("surface.arc_price", options));
+  EXPECT_TRUE(is_read("segmentation.min_points", options));
+  EXPECT_FALSE(is_read("leg.max_width_m", options));
+}
+
 TEST(OptionTableTest, UnitsFollowFromNames) {
   EXPECT_EQ(find_option("circle.max_std_rad")->unit(), "rad");
   EXPECT_EQ(find_option("track.gate_m")->unit(), "m");

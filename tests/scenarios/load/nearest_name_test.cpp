@@ -44,6 +44,8 @@ TEST(NearestNameTest, FindsTheMisspeltKey) {
 TEST(NearestNameTest, FindsNothingForAFarWord) {
   EXPECT_EQ(nearest_name("friction", kKeys), std::nullopt);
   EXPECT_EQ(nearest_name("", {}), std::nullopt);
+  EXPECT_EQ(near_name_hint("friction", kKeys), "");
+  EXPECT_EQ(near_name_hint("raduis", kKeys), "; did you mean 'radius'?");
   EXPECT_EQ(nearest_name(std::string(100'000, 'r'), kKeys), std::nullopt);
 }
 

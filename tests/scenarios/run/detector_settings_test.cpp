@@ -98,9 +98,42 @@ TEST(DetectorSettingsTest, SayWhereABadOptionStands) {
 TEST(DetectorSettingsTest, NameWhatThePipelineDoesNotRead) {
   const std::array<Setting, 3> settings = {Setting{"circle_std_max", "0.1"}, Setting{"line_min_pts", "6"},
                                            Setting{"surface.arc_price", "20"}};
-  EXPECT_EQ(detector_settings({}, settings).idle, std::vector<std::string>{"circle_std_max"});
+  EXPECT_EQ(detector_settings({}, settings).idle,
+            (std::vector<IdleOption>{{"circle_std_max", "the paper pipeline"}}));
   EXPECT_EQ(detector_settings({.preset = "paper", .config = {}}, settings).idle,
-            std::vector<std::string>{"surface.arc_price"});
+            (std::vector<IdleOption>{{"surface.arc_price", "the robust pipeline"}}));
+}
+
+TEST(DetectorSettingsTest, NameWhatOnlyTheRulesForLegsRead) {
+  std::vector<Setting> settings = {Setting{"seg_threshold", "90"}, Setting{"leg.min_points", "4"}};
+  EXPECT_EQ(detector_settings({}, settings).idle,
+            (std::vector<IdleOption>{{"seg_threshold", "the paper pipeline or leg.scorer: rules"},
+                                     {"leg.min_points", "leg.scorer: rules"}}));
+  EXPECT_TRUE(detector_settings({.preset = "paper", .config = {}}, settings).idle.empty());
+  settings.push_back({"leg.scorer", "rules"});
+  EXPECT_TRUE(detector_settings({}, settings).idle.empty()) << "a later setting makes them count";
+}
+
+TEST(DetectorSettingsTest, RefuseAnOptionUnderBothItsNames) {
+  const testing::TemporaryFolder folder;
+  const auto file =
+      testing::write_file(folder / "d.yaml", "segmentation: {max_gap_m: 0.1}\nseg_threshold: 300\n");
+  EXPECT_EQ(error_of([&] { detector_settings({.config = file}, {}); }),
+            file.string() +
+                ":1:27: segmentation.max_gap_m: is seg_threshold by another name, which is given on line 2");
+}
+
+TEST(DetectorSettingsTest, RefuseAFileWithoutOptions) {
+  const testing::TemporaryFolder folder;
+  for (const char* text : {"", "# line_err: 0.02\n", "---\n"}) {
+    const auto file = testing::write_file(folder / "d.yaml", text);
+    EXPECT_EQ(error_of([&] { detector_settings({.config = file}, {}); }),
+              file.string() + ": is empty; expected options, see 'scanbed options'");
+  }
+  const auto file = testing::write_file(folder / "d.yaml", "line_err: 0.02\n---\nline_err: 0.03\n");
+  EXPECT_TRUE(error_of([&] {
+                detector_settings({.config = file}, {});
+              }).starts_with(file.string() + ":3:1: a second document"));
 }
 
 }  // namespace
