@@ -167,15 +167,17 @@ sim::Grid to_grid(const std::string& text) {
 }
 
 sim::PictureOptions to_picture(const RenderTexts& texts) {
-  constexpr std::int64_t kLargest_px = 8192;
+  const auto fits = [](const std::optional<std::int64_t>& size_px) {
+    return size_px && *size_px >= sim::PictureOptions::kLeast_px && *size_px <= sim::PictureOptions::kMost_px;
+  };
   const std::string& size = texts.size;
   const std::size_t cross = std::min(size.find('x'), size.size());
   const std::optional<std::int64_t> width = parse_count(size.substr(0, cross));
   const std::optional<std::int64_t> height =
       parse_count(std::string_view(size).substr(std::min(cross + 1, size.size())));
-  if (!width || !height || *width > kLargest_px || *height > kLargest_px) {
-    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT in pixels of at most {}, found {}",
-                                 kLargest_px, quote(size)));
+  if (!fits(width) || !fits(height)) {
+    throw InputError(fmt::format("--size: expected WIDTHxHEIGHT, each of {} to {} pixels, found {}",
+                                 sim::PictureOptions::kLeast_px, sim::PictureOptions::kMost_px, quote(size)));
   }
   sim::PictureOptions picture{.width_px = static_cast<int>(*width),
                               .height_px = static_cast<int>(*height),

@@ -2,6 +2,7 @@
 #include "sim/render/scene_picture.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
@@ -35,8 +36,9 @@ constexpr double kAside_rad = radians(-18.0);
 }  // namespace
 
 void PictureOptions::validate() const {
-  require(width_px >= 64 && width_px <= 4096, "picture.width_px", width_px, "[64, 4096]");
-  require(height_px >= 64 && height_px <= 4096, "picture.height_px", height_px, "[64, 4096]");
+  const std::string allowed = "[" + std::to_string(kLeast_px) + ", " + std::to_string(kMost_px) + "]";
+  require(width_px >= kLeast_px && width_px <= kMost_px, "picture.width_px", width_px, allowed);
+  require(height_px >= kLeast_px && height_px <= kMost_px, "picture.height_px", height_px, allowed);
 }
 
 struct ScenePainter::Impl {

@@ -31,6 +31,9 @@ enum class View {
 enum class Grid { kNone, kCartesian, kPolar };
 
 struct PictureOptions {
+  static constexpr int kLeast_px = 64;   ///< of width and height
+  static constexpr int kMost_px = 4096;  ///< of width and height
+
   int width_px = 960;
   int height_px = 720;
   View view = View::kCamera;
