@@ -41,7 +41,7 @@ LmsFault parse_lms_fault(std::string_view text);
 
 /// An emulated sensor as it comes out of its box, and how it behaves.
 struct EmulatorOptions {
-  std::uint8_t address = 0;  ///< its own; 0 and 1 are in use
+  std::uint8_t address = 0;  ///< its own, at most 127; real sensors have 0 or 1
   int power_on_baud = 9600;  ///< also after a reboot
   LmsVariant variant;
   LmsConfiguration configuration;

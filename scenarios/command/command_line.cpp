@@ -7,6 +7,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <span>
+#include <string_view>
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/usage.hpp"
@@ -21,7 +25,7 @@ constexpr const char* kMainHelp = R"(Examples:
   scanbed list
   scanbed run static_hallway --out pictures
   scanbed detect --laser log:FILE.log > features.jsonl
-'scanbed COMMAND --help' tells more.
+'scanbed help COMMAND' tells more.
 Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O fault,
 130 interrupted (Ctrl-C), 143 terminated (SIGTERM); what was done until then is written.)";
 
@@ -48,29 +52,64 @@ CLI::Option* add_option(CLI::App& app, const Flag& flag) {
   return option;
 }
 
+// Else what an empty variable of a shell leaves of `--out "$DIR"` would count as not given.
+void refuse_nothing(CLI::Option& option, const Flag& flag) {
+  if (std::holds_alternative<bool*>(flag.text)) return;
+  const std::string type = flag.type.empty() ? "a value" : flag.type;
+  option.check(
+      [type](const std::string& text) { return text.empty() ? "expected " + type + ", found ''" : ""; });
+}
+
 CLI::App* add_subcommand(CLI::App& app, const Usage& usage) {
   CLI::App* command = app.add_subcommand(usage.name, usage.summary);
-  for (const Flag& flag : usage.flags) add_option(*command, flag)->required(flag.is_required);
+  for (const Flag& flag : usage.flags) {
+    CLI::Option* option = add_option(*command, flag)->required(flag.is_required);
+    refuse_nothing(*option, flag);
+  }
   command->footer(usage.footer);
   return command;
 }
 
 // The parser would only say that a subcommand is missing.
-void check_command(const std::vector<Usage>& usages, int argc, const char* const* argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
+void check_command(const std::vector<Usage>& usages, std::span<const char* const> words) {
+  if (words.size() < 2 || words[1][0] == '-') return;
+  std::vector<std::string> names{"help"};
   names.reserve(usages.size());
   for (const Usage& usage : usages) names.push_back(usage.name);
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw InputError(fmt::format("unknown command {}{}; see 'scanbed --help'", quote(argv[1]),
-                               name_hint(argv[1], names, "commands")));
+  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;
+  throw InputError(fmt::format("unknown command {}{}; see 'scanbed --help'", quote(words[1]),
+                               name_hint(words[1], names, "commands")));
+}
+
+// `help` and `help COMMAND` as `--help` and `COMMAND --help`.
+std::vector<const char*> without_help_command(int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (words.size() < 2 || std::string_view(words[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  words.insert(words.begin() + std::min<std::ptrdiff_t>(2, std::ssize(words)), "--help");
+  return words;
+}
+
+std::string describe_unknown(const CLI::App& app, const std::string& word) {
+  if (!word.starts_with('-')) return fmt::format("unexpected argument {}", quote(word));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string name = word.substr(0, word.find('='));
+  return fmt::format("unknown option {}{}", quote(name), near_name_hint(name, names));
 }
 
 // The parser's messages are one line without a full stop; where the help is tells the user what to do.
 [[noreturn]] void refuse_usage(const CLI::App& app, const CLI::ParseError& error) {
-  std::string name = "scanbed";
-  for (const CLI::App* chosen : app.get_subcommands()) name += " " + chosen->get_name();
-  throw InputError(fmt::format("{}; see '{} --help'", error.what(), name));
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string name = chosen.empty() ? "scanbed" : "scanbed " + chosen.front()->get_name();
+  // What is unknown comes before what is missing: mostly that is what was meant by it.
+  const std::vector<std::string> unknown = app.remaining(true);
+  const std::string fault = unknown.empty()
+                                ? error.what()
+                                : describe_unknown(chosen.empty() ? app : *chosen.front(), unknown.front());
+  throw InputError(fmt::format("{}; see '{} --help'", fault, name));
 }
 
 }  // namespace
@@ -84,9 +123,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   std::vector<const CLI::App*> commands;
   commands.reserve(usages.size());
   for (const Usage& usage : usages) commands.push_back(add_subcommand(app, usage));
-  check_command(usages, argc, argv);
+  const std::vector<const char*> words = without_help_command(argc, argv);
+  check_command(usages, words);
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::CallForVersion& version) {
     return TextCommand{std::string(version.what()) + "\n"};
   } catch (const CLI::CallForHelp&) {

@@ -5,7 +5,7 @@
 
 namespace scanbed::scenarios {
 
-/// What the arguments ask for. `--help` and `--version` come back as a TextCommand.
+/// What the arguments ask for. `--help`, `help` and `--version` come back as a TextCommand.
 ///
 /// @throws InputError for wrong usage: what is wrong, and where the help is.
 Command parse_command_line(int argc, const char* const* argv);

@@ -88,7 +88,7 @@ Usage emulate_usage() {
       {"--truth", "FILE", "Write truth of each scan that is sent", &texts->truth},
       {"--unpaced", "", "As fast as the host reads, not as fast as the link", &texts->is_unpaced},
       {"--fault", "NAME@SECONDS", "Something goes wrong at a time; may be repeated", &texts->faults},
-      {"--address", "N", "Of the sensor: 0 or 1", &texts->address},
+      {"--address", "N", "Of the sensor, 0 to 127; real ones have 0 or 1", &texts->address},
       {"--baud", "BAUD", "After power-on", &texts->baud},
       {"--for", "SECONDS", "End after so many seconds", &texts->duration},
       texts->seed.flag(),

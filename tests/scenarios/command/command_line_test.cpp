@@ -93,6 +93,48 @@ TEST(CommandLineTest, SaysWhatIsWrongAndWhereTheHelpIs) {
   EXPECT_EQ(usage_error({"rnu"}), "unknown command 'rnu'; did you mean 'run'?; see 'scanbed --help'");
 }
 
+TEST(CommandLineTest, NamesAnUnknownOptionBeforeWhatIsMissing) {
+  EXPECT_EQ(usage_error({"--foo"}), "unknown option '--foo'; see 'scanbed --help'");
+  EXPECT_EQ(usage_error({"--verson"}),
+            "unknown option '--verson'; did you mean '--version'?; see 'scanbed --help'");
+  EXPECT_EQ(usage_error({"detect", "--traks"}),
+            "unknown option '--traks'; did you mean '--track'?; see 'scanbed detect --help'");
+  EXPECT_EQ(usage_error({"run", "a", "--sed=1"}),
+            "unknown option '--sed'; did you mean '--seed'?; see 'scanbed run --help'");
+  EXPECT_EQ(usage_error({"list", "all"}), "unexpected argument 'all'; see 'scanbed list --help'");
+}
+
+TEST(CommandLineTest, HelpIsACommandToo) {
+  const auto text = [](const std::vector<const char*>& words) {
+    return std::get<TextCommand>(parsed(words)).text;
+  };
+  EXPECT_EQ(text({"help"}), text({"--help"}));
+  EXPECT_EQ(text({"help", "run"}), text({"run", "--help"}));
+  EXPECT_EQ(usage_error({"help", "rnu"}), "unknown command 'rnu'; did you mean 'run'?; see 'scanbed --help'");
+}
+
+TEST(CommandLineTest, RefusesEmptyValues) {
+  for (const char* flag : {"--record", "--out", "--json", "--config"}) {
+    const std::string error = usage_error({"run", "a", flag, ""});
+    EXPECT_TRUE(error.starts_with(std::string(flag) + ": expected ")) << error;
+    EXPECT_TRUE(error.ends_with(", found ''; see 'scanbed run --help'")) << error;
+  }
+  EXPECT_EQ(usage_error({"run", "a", "--seed", ""}),
+            "--seed: expected N|A..B, found ''; see 'scanbed run --help'");
+  EXPECT_TRUE(usage_error({"run", "a", "--out="}).starts_with("--out: ")) << "CLI11 has its own words here";
+  EXPECT_EQ(usage_error({"export", "a", "--mjcf", ""}),
+            "--mjcf: expected FILE, found ''; see 'scanbed export --help'");
+  EXPECT_EQ(usage_error({"run", ""}), "SCENARIO: expected a value, found ''; see 'scanbed run --help'");
+}
+
+TEST(CommandLineTest, AnEmulatedSensorHasAnyAddressThatTheHelpTells) {
+  const std::string help = std::get<TextCommand>(parsed({"emulate", "--help"})).text;
+  EXPECT_NE(help.find("0 to 127"), std::string::npos) << help;
+  EXPECT_EQ(std::get<EmulateCommand>(parsed({"emulate", "a", "--address", "127"})).address, 127);
+  EXPECT_EQ(usage_error({"emulate", "a", "--address", "128"}),
+            "--address: value 128 is out of range; allowed: [0, 127]");
+}
+
 TEST(CommandLineTest, RefusesValuesThatDoNotFit) {
   EXPECT_EQ(usage_error({"run", "a", "--seed", "x"}), "--seed: expected a whole number, found 'x'");
   EXPECT_EQ(usage_error({"run", "a", "--seed", "1..x"}), "--seed: expected a whole number, found 'x'");
@@ -105,7 +147,10 @@ TEST(CommandLineTest, RefusesValuesThatDoNotFit) {
   for (const char* size : {"x", "640", "640x", "x480", "640x480x3", "-1x4", "9000x9000", "1e3x10"}) {
     EXPECT_TRUE(usage_error({"render", "a", "-o", "f", "--size", size}).starts_with("--size: ")) << size;
   }
-  EXPECT_NE(usage_error({"render", "a", "-o", "f", "--size", "0x480"}), "");
+  for (const char* size : {"63x480", "640x4097"}) {
+    EXPECT_EQ(usage_error({"render", "a", "-o", "f", "--size", size}),
+              "--size: expected WIDTHxHEIGHT, each of 64 to 4096 pixels, found '" + std::string(size) + "'");
+  }
 }
 
 }  // namespace
