@@ -5,7 +5,9 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
@@ -96,23 +98,27 @@ struct OpenedLaser {
   std::optional<Scenario> scenario;     // where the sensor is simulated
 };
 
+// What is no option of the detector was meant for a scenario, or is an option that is misspelt.
+void refuse_scenario_settings(std::span<const Setting> settings, std::string_view laser) {
+  if (settings.empty()) return;
+  const std::string& path = settings[0].path;
+  throw InputError(
+      fmt::format("--set {}: no option of the detector, and {} has no scenario{}; see 'scanbed "
+                  "options'",
+                  path, laser, near_detector_setting_hint(path)));
+}
+
 OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> settings,
                        const FeatureDetector& detector) {
   const LaserSpec& spec = command.laser;
   if (spec.kind == LaserKind::kLog) {
-    if (!settings.empty()) {
-      throw InputError("--set " + settings[0].path + ": a recording has no scenario; " +
-                       "allowed: the detector's options, see 'scanbed options'");
-    }
+    refuse_scenario_settings(settings, "a recording");
     auto log = open_log(spec);
     const hw::ScanReader* counts = log.get();
     return {std::move(log), counts, std::nullopt};
   }
   if (spec.is_device()) {
-    if (!settings.empty()) {
-      throw InputError("--set " + settings[0].path + ": a device has no scenario; " +
-                       "allowed: the detector's options, see 'scanbed options'");
-    }
+    refuse_scenario_settings(settings, "a device");
     return {std::make_unique<LiveSensor>(open_device(spec),
                                          LiveOptions{.is_interrupted = is_interrupted, .warn = log_warning}),
             nullptr, std::nullopt};

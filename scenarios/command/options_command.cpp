@@ -12,7 +12,8 @@ namespace scanbed::scenarios {
 ExitCode execute(const OptionsCommand& command) {
   for (const Setting& setting : command.settings) {
     if (is_detector_setting(setting.path)) continue;
-    throw InputError("--set " + setting.path + ": no such option; 'scanbed options' lists them");
+    throw InputError("--set " + setting.path + ": no such option" + near_detector_setting_hint(setting.path) +
+                     "; 'scanbed options' lists them");
   }
   write_whole(std::nullopt, options_yaml(command.detector, command.settings));
   return kExitFine;

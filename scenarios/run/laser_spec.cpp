@@ -194,7 +194,7 @@ void parse_sick(LaserSpec& spec, std::string_view rest) {
 }  // namespace
 
 LaserSpec parse_laser_spec(std::string_view text) {
-  static const std::array<std::string, 6> kKinds = {"sim", "log", "sick", "scip", "cola", "player"};
+  static const std::array<std::string, 5> kKinds = {"sim", "log", "sick", "scip", "cola"};
   const std::size_t colon = std::min(text.find(':'), text.size());
   const std::string_view kind = text.substr(0, colon);
   const std::string_view rest = text.substr(std::min(colon + 1, text.size()));

@@ -172,6 +172,9 @@ TEST_F(DetectTest, TakesDetectorParameters) {
   const Outcome world = run_program({"detect", "--laser", laser, "--set", "sensor.height=1"});
   EXPECT_EQ(world.exit_code, 2);
   EXPECT_NE(world.err.find("a recording has no scenario"), std::string::npos) << world.err;
+  const Outcome typo = run_program({"detect", "--laser", laser, "--set", "surfaec.arc_price=1"});
+  EXPECT_EQ(typo.exit_code, 2);
+  EXPECT_NE(typo.err.find("did you mean 'surface.arc_price'?"), std::string::npos) << typo.err;
 }
 
 TEST_F(DetectTest, DetectsInASimulation) {

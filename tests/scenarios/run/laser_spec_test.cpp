@@ -87,6 +87,9 @@ TEST(ParseLaserSpecTest, RefusesWithWhatToDo) {
   EXPECT_EQ(spec_error("lgo:a.log"),
             "--laser 'lgo:a.log': unknown kind of laser; did you mean 'log'?; use sim, log:FILE, sick:PORT, "
             "scip:PORT or cola:HOST");
+  EXPECT_EQ(spec_error("foobar:"),
+            "--laser 'foobar:': unknown kind of laser; known kinds: sim, log, sick, scip, cola; use sim, "
+            "log:FILE, sick:PORT, scip:PORT or cola:HOST");
   EXPECT_EQ(spec_error("log:"), "--laser 'log:': no file; write log:FILE");
   EXPECT_EQ(spec_error("log"), "--laser 'log': no file; write log:FILE");
   EXPECT_EQ(spec_error("log:a?noreturn=3"),
