@@ -26,6 +26,8 @@ void watch_signals() {
   on_interrupt.sa_flags = static_cast<int>(SA_RESETHAND);
   sigemptyset(&on_interrupt.sa_mask);
   sigaction(SIGINT, &on_interrupt, nullptr);
+  // timeout(1) sends it twice in a row, to the program and to its group.
+  on_interrupt.sa_flags = 0;
   sigaction(SIGTERM, &on_interrupt, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
 }

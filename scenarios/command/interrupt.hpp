@@ -8,9 +8,9 @@
 
 namespace scanbed::scenarios {
 
-/// From now on the first SIGINT or SIGTERM only sets a mark, so that work in hand is finished and written;
-/// the same one again ends the program at once. A write to a pipe that nobody reads becomes an error of that
-/// write.
+/// From now on the first SIGINT, and any SIGTERM, only sets a mark, so that work in hand is finished and
+/// written; a second SIGINT ends the program at once. A write to a pipe that nobody reads becomes an error of
+/// that write.
 void watch_signals();
 
 /// Which of the two arrived last since watch_signals(); 0 where none did.

@@ -41,6 +41,14 @@ testing::Outcome interrupted_run(int signal, const std::vector<std::string>& mor
   return program.wait();
 }
 
+TEST(InterruptTest, SurvivesThatItIsToldToTerminateTwice) {
+  watch_signals();
+  ::raise(SIGTERM);
+  ::raise(SIGTERM);
+  EXPECT_EQ(interrupting_signal(), SIGTERM);
+  watch_signals();
+}
+
 TEST(InterruptTest, EndsARunAfterTheScanInHandWithWhatWasDone) {
   for (const auto& [signal, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
     const testing::Outcome outcome = interrupted_run(signal);
