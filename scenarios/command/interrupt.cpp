@@ -11,7 +11,9 @@
 namespace scanbed::scenarios {
 namespace {
 
-volatile sig_atomic_t interrupted = 0;
+// Any thread may be the one that handles a signal.
+std::atomic<int> interrupted = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "else no signal handler may write it");
 
 extern "C" void mark_interrupt(int signal) {
   interrupted = signal;
