@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/chord.hpp"
 
+#include <algorithm>
+
 namespace scanbed {
 
 Chord chord_of(const Points& points, const Segment& segment) {
@@ -21,7 +23,9 @@ Chord chord_of(const Points& points, const Segment& segment) {
 bool bulges_like_an_arc(const Points& points, const Segment& segment, double min_depth_ratio,
                         double max_depth_ratio) {
   const Chord chord = chord_of(points, segment);
-  const double depth_m = chord.depth_m(points[(segment.first + segment.last) / 2]);
+  const int middle = (segment.first + segment.last) / 2;
+  const int other_middle = segment.first + segment.last - middle;  // the same where their number is odd
+  const double depth_m = std::max(chord.depth_m(points[middle]), chord.depth_m(points[other_middle]));
   return min_depth_ratio * chord.length_m < depth_m && depth_m < max_depth_ratio * chord.length_m;
 }
 

@@ -25,7 +25,7 @@ Chord chord_of(const Points& points, const Segment& segment);
 /// chord lies between the two ratios of the chord's length.
 ///
 /// @par Source  The paper, II-D, eq. 2 to 4. Rotating the chord onto an axis is the same as measuring along
-/// its normal.
+/// its normal. Departs: of two points in the middle the deeper one counts, whichever way the beams turn.
 bool bulges_like_an_arc(const Points& points, const Segment& segment, double min_depth_ratio,
                         double max_depth_ratio);
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/support/arc_points.hpp"
 
 namespace scanbed {
@@ -63,6 +65,15 @@ TEST(ChordTest, ADeepSpikeDoesNotBulgeLikeAnArc) {
   append(spike, {2.0, 0.1});
   EXPECT_FALSE(bulges_like_an_arc(spike, all_of(spike), 0.1, 0.7));
   EXPECT_TRUE(bulges_like_an_arc(spike, all_of(spike), 0.1, 0.8));
+}
+
+TEST(ChordTest, OfTwoPointsInTheMiddleTheDeeperCountsFromEitherSide) {
+  const std::vector<Eigen::Vector2d> lopsided = {{2.0, -0.2}, {1.97, -0.07}, {1.9, 0.07}, {2.0, 0.2}};
+  Points points, mirrored;
+  for (const Eigen::Vector2d& p : lopsided) append(points, p);
+  for (auto p = lopsided.rbegin(); p != lopsided.rend(); ++p) append(mirrored, {p->x(), -p->y()});
+  EXPECT_TRUE(bulges_like_an_arc(points, all_of(points), 0.2, 0.3));  // 0.25 of the chord
+  EXPECT_TRUE(bulges_like_an_arc(mirrored, all_of(mirrored), 0.2, 0.3));
 }
 
 }  // namespace
