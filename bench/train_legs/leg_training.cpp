@@ -26,8 +26,9 @@ constexpr std::uint64_t kUnseenRandomSeed = 778000001;
 
 constexpr std::uint64_t kAloneSeed = 11;  // of the draws of boosting
 constexpr std::uint64_t kTogetherSeed = 12;
-constexpr int kNumTrees = 450;
+constexpr int kNumTrees = 600;
 constexpr int kNumAlone = 60;
+constexpr double kTogetherRate = 0.15;  // slow, for many trees: what they learn depends less on their draws
 constexpr std::array kCheckpoints = {60, 90, 150};
 constexpr double kLeastProbability = 0.05;  // what ends below may be given up early
 constexpr double kLostShare = 0.002;        // of what ends above
@@ -191,7 +192,7 @@ OwnedLegForest train_legs(const LegCorpus& corpus, const HeldOut& held_out) {
     forest.trees = boost(rows, options, forest.trees);
   };
   learn({.num_trees = kNumAlone, .num_features = kNumOwnLegFeatures, .seed = kAloneSeed});
-  learn({.num_trees = kNumTrees - kNumAlone, .seed = kTogetherSeed});
+  learn({.num_trees = kNumTrees - kNumAlone, .rate = kTogetherRate, .seed = kTogetherSeed});
   forest.num_alone = kNumAlone;
   return forest;
 }

@@ -2,6 +2,7 @@
 #include "core/detect/robust/line_pieces.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/simd/double_lanes.hpp"
 
@@ -159,19 +160,31 @@ double LineSplitter::cost_of(Stretch places, double chi2) const {
   return places.size() < 2 ? as_clutter : std::min(as_clutter, options_->line_price + chi2);
 }
 
-// Neighbours that one line explains at no more cost become one piece.
+// Neighbours that one line explains at no more cost become one piece, where neither would rather go with its
+// other neighbour: so it does not matter from which side they are read.
 bool LineSplitter::merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces) {
   const int num_pieces = static_cast<int>(pieces.size() - first_piece);
   if (num_pieces < 2) return false;
   LinePiece* const piece = pieces.data() + first_piece;
   if (!compare_pairs({piece, static_cast<std::size_t>(num_pieces)})) return false;
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  const auto gain_of = [&](int pair) {
+    return pair + 1 < num_pieces ? piece[pair].cost + piece[pair + 1].cost - pairs_[pair].cost : kNone;
+  };
   // The pieces that stay move to the front.
   int num_kept = 0;
+  double gain_before = kNone;
+  double gain = gain_of(0);
   for (int i = 0; i < num_pieces; ++i) {
-    const bool merges = i + 1 < num_pieces && pairs_[i].cost <= piece[i].cost + piece[i + 1].cost;
+    const double gain_behind = gain_of(i + 1);
+    const bool merges = gain >= 0.0 && gain >= gain_before && gain >= gain_behind;
     piece[num_kept++] = merges ? pairs_[i] : piece[i];
-    // The pair is compared with what follows in the next pass, as it would be from the other side.
-    if (merges) ++i;
+    gain_before = gain;
+    gain = gain_behind;
+    if (!merges) continue;
+    ++i;
+    gain_before = gain;
+    gain = gain_of(i + 1);
   }
   pieces.resize(first_piece + num_kept);
   return true;

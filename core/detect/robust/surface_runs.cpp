@@ -9,7 +9,7 @@
 namespace scanbed {
 namespace {
 
-constexpr double kSteadyRatio = 0.9;  // a step may differ from the last ones by this share of them
+constexpr double kSteadyRatio = 0.9;  // two steps may differ by this share of their mean size
 
 /// The bound on the distance of neighbours on one surface.
 struct GapBound {
@@ -62,22 +62,26 @@ struct GapBound {
   const double* y_m;
 };
 
-bool is_steady(double step_m, double expected_m, const SurfaceOptions& options) {
-  return std::abs(step_m) < options.max_grazing_step_m &&
-         std::abs(step_m - expected_m) <= kSteadyRatio * std::abs(expected_m);
+// Whether three echoes of neighbouring beams lie on one wall at grazing incidence: two steps much alike. The
+// same from either side.
+bool are_steady(const Echoes& e, const SurfaceOptions& options, int first) {
+  if (first < 0 || first + 2 >= e.size() || e.beam[first + 2] != e.beam[first] + 2) return false;
+  const double step_m = e.range_m[first + 1] - e.range_m[first];
+  const double next_step_m = e.range_m[first + 2] - e.range_m[first + 1];
+  const double mean_size_m = 0.5 * (std::abs(step_m) + std::abs(next_step_m));
+  return std::max(std::abs(step_m), std::abs(next_step_m)) < options.max_grazing_step_m &&
+         std::abs(next_step_m - step_m) <= kSteadyRatio * mean_size_m;
 }
 
-// Whether echo k + 1 goes on as the echoes since `first` did, or where they are too few, as those after it
-// will.
-bool goes_on_steadily(const Echoes& e, const SurfaceOptions& options, int first, int k) {
-  if (e.beam[k + 1] != e.beam[k] + 1) return false;
-  const double step_m = e.range_m[k + 1] - e.range_m[k];
-  if (k > first) {
-    const int before = std::max(first, k - 2);
-    return is_steady(step_m, (e.range_m[k] - e.range_m[before]) / (e.beam[k] - e.beam[before]), options);
-  }
-  const bool next_confirms = k + 2 < e.size() && e.beam[k + 2] == e.beam[k] + 2;
-  return next_confirms && is_steady(step_m, e.range_m[k + 2] - e.range_m[k + 1], options);
+// Whether echo k + 1 goes on as those before it did and as those after it will; where only one of these
+// holds, an echo may stand alone at the end of a wall, with no surface of its own to go on with.
+bool goes_on_steadily(const Echoes& e, const GapBound& bound, const SurfaceOptions& options, int k) {
+  const bool as_before = are_steady(e, options, k - 1);
+  const bool as_after = are_steady(e, options, k);
+  if (as_before == as_after) return as_before;
+  const int other = as_before ? k + 2 : k - 1;
+  if (other < 0 || other >= e.size()) return true;
+  return bound.margin_m2(std::min(other, k + 1), std::max(other, k)) <= 0.0;
 }
 
 // Lists the echoes from a place on that do not lie near the one before, behind those that are listed already;
@@ -123,10 +127,11 @@ void SurfaceSplitter::find_stretches(const Echoes& echoes, const SurfaceOptions&
   const int num_echoes = echoes.size();
   const std::size_t room = num_echoes + kNumQuadLanes;
   if (jumps_.size() < room) jumps_.resize(room);
-  const int num_jumps = list_jumps(instructions_, GapBound(echoes, options), num_echoes, jumps_.data());
+  const GapBound bound(echoes, options);
+  const int num_jumps = list_jumps(instructions_, bound, num_echoes, jumps_.data());
   starts_.assign(1, 0);
   for (int i = 0; i < num_jumps; ++i) {
-    if (!goes_on_steadily(echoes, options, starts_.back(), jumps_[i] - 1)) starts_.push_back(jumps_[i]);
+    if (!goes_on_steadily(echoes, bound, options, jumps_[i] - 1)) starts_.push_back(jumps_[i]);
   }
   starts_.push_back(num_echoes);
 }

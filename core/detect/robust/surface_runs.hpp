@@ -27,8 +27,9 @@ struct SurfaceRuns {
 /// Cuts a scan into surfaces with a bound that follows the sensor.
 ///
 /// The bound on the distance of neighbours grows with range, noise and the beams missing in between; where a
-/// wall is seen at grazing incidence, steps may grow as they did before. A few nearer or missing beams
-/// do not cut what agrees on both sides of them: such a speck becomes a surface of its own.
+/// wall is seen at grazing incidence, they may lie as far apart as the neighbours on both sides of them. A
+/// few nearer or missing beams do not cut what agrees on both sides of them: such a speck becomes a surface
+/// of its own. A mirrored scan is cut at the same places.
 class SurfaceSplitter {
  public:
   explicit SurfaceSplitter(InstructionSet instructions = widest_instruction_set())

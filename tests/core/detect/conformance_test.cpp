@@ -112,7 +112,7 @@ TEST_P(ConformanceTest, ATurnedScanGivesTurnedFeatures) {
 }
 
 TEST_P(ConformanceTest, AMirroredScanGivesMirroredFeatures) {
-  for (const int num_beams : {361, 721}) {
+  for (const int num_beams : {91, 181, 361, 721}) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       LaserScan scan = room(seed, {.num_beams = num_beams, .step_rad = kPi / (num_beams - 1)});
       const Features plain = detect(scan);

@@ -5,6 +5,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 #include "tests/support/ideal_scene.hpp"
 
@@ -12,6 +14,7 @@ namespace scanbed {
 namespace {
 
 using testing::IdealScene;
+using testing::with_noise;
 
 SurfaceRuns runs_of(const LaserScan& scan) {
   Echoes echoes;
@@ -66,6 +69,40 @@ TEST(SurfaceRunsTest, AWallAtGrazingIncidenceStaysOne) {
   IdealScene scene;
   scene.wall({0.0, 1.0}, {7.5, 1.0});  // at its end neighbours lie 0.5 m apart
   EXPECT_EQ(num_runs_of(scene), 1);
+}
+
+// The beams of each surface, counted from the first beam or from the last.
+std::set<std::vector<int>> surfaces_of(const LaserScan& scan, bool from_last) {
+  Echoes echoes;
+  EchoReader().read(scan, {}, echoes);
+  SurfaceRuns runs;
+  SurfaceSplitter().split(echoes, {}, runs);
+  runs.begin.push_back(echoes.size());
+  std::set<std::vector<int>> surfaces;
+  for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i) {
+    std::vector<int> beams(echoes.beam.begin() + runs.begin[i], echoes.beam.begin() + runs.begin[i + 1]);
+    for (int& beam : beams) beam = from_last ? scan.num_beams() - 1 - beam : beam;
+    std::sort(beams.begin(), beams.end());
+    surfaces.insert(beams);
+  }
+  return surfaces;
+}
+
+TEST(SurfaceRunsTest, ARoomIsCutAtTheSamePlacesFromEitherSide) {
+  for (const int num_beams : {61, 91, 181, 361}) {
+    for (unsigned seed = 0; seed < 50; ++seed) {
+      IdealScene scene({.num_beams = num_beams, .step_rad = kPi / (num_beams - 1)});
+      const double shift_m = 0.03 * seed;
+      scene.wall({0.0, -1.0 - shift_m}, {6.0, -1.0 - shift_m});  // grazing, up to the corners
+      scene.wall({6.0, -1.0 - shift_m}, {6.0, 1.5});
+      scene.wall({6.0, 1.5}, {0.0, 1.0});
+      scene.cylinder({2.0 + shift_m, 0.2}, 0.2);
+      LaserScan scan = with_noise(scene.scan(), 0.005, seed);
+      const auto expected = surfaces_of(scan, false);
+      std::reverse(scan.range_m.begin(), scan.range_m.end());
+      EXPECT_EQ(surfaces_of(scan, true), expected) << num_beams << " beams, seed " << seed;
+    }
+  }
 }
 
 TEST(SurfaceRunsTest, NoWallIsSeenWhereManyBeamsAreLost) {
