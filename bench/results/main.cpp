@@ -135,7 +135,7 @@ ScoreBins simulated_scores() {
 }
 
 void print_held_out_legs(const std::filesystem::path& data) {
-  const std::vector<double> track_scores = {0.5, 0.6, 0.65, 0.7, 0.8, 0.9};
+  const std::vector<double> track_scores = {0.5, TrackOptions{}.min_score, 0.7, 0.8, 0.9};
   const std::vector<HeldOutLegs> results = held_out_legs(data, track_scores);
   std::printf(
       "\n| `robust` by forests trained without the recording: recall at false a scan of nobody | legs_pos1 | "

@@ -8,11 +8,11 @@
 namespace scanbed {
 namespace {
 
-constexpr double kAlongSigma_m = 0.33;     // from one leg to the other, along the way
-constexpr double kAcrossSigma_m = 0.17;    // ... and across it
-constexpr double kStandingSigma_m = 0.04;  // of a leg whose foot stands
+constexpr double kAlongSigma_m = 0.38;     // from one leg to the other, along the way
+constexpr double kAcrossSigma_m = 0.20;    // ... and across it
+constexpr double kStandingSigma_m = 0.03;  // of a leg whose foot stands
 constexpr double kShinSpeedRatio = 0.35;   // of it, to the person's
-constexpr double kShinSpeedSpread = 0.15;
+constexpr double kShinSpeedSpread = 0.12;
 constexpr double kSwingSpeedRatio = 2.05;    // of a shin that swings, to the person's speed
 constexpr double kReach_m = 0.1;             // of a leg beyond that
 constexpr double kKnownSpeed_m_per_s = 0.8;  // standard deviation; above, any reach is possible

@@ -9,7 +9,7 @@
 namespace scanbed {
 
 inline constexpr double kOneLegSigma_m = 0.18;    ///< of one leg, about the person's middle
-inline constexpr double kBothLegsSigma_m = 0.07;  ///< of their middle, about the person's
+inline constexpr double kBothLegsSigma_m = 0.04;  ///< of their middle, about the person's
 
 /// Of a distance from where something is expected: -2 times the log-likelihood, but for a constant that makes
 /// it 0 for one leg at the middle of a person who is exactly known.

@@ -8,7 +8,7 @@ namespace scanbed {
 namespace {
 
 constexpr double kMaxLogOdds = 4.0;
-constexpr double kMissLogOdds = -1.5;   // of looking at an empty place
+constexpr double kMissLogOdds = -2.0;   // of looking at an empty place
 constexpr double kMaxEmpty_s = 0.4;     // a place looked through so long has lost its track
 constexpr double kMaxOccupied_s = 1.0;  // likewise where something stands that is not recognised
 // Who has walked is somebody, also when standing. A single leg that stands may be furniture that a track has
@@ -16,7 +16,7 @@ constexpr double kMaxOccupied_s = 1.0;  // likewise where something stands that 
 constexpr double kTwoLegsMemory_s = 20.0;
 constexpr double kOneLegMemory_s = 4.0;
 constexpr double kMaxUnrecognised_s = 0.5;  // what stands where somebody stood is taken for them so long
-constexpr double kMaxDoubt_m = 0.35;        // standard deviation of a place beyond which it says nothing
+constexpr double kMaxDoubt_m = 0.28;        // standard deviation of a place beyond which it says nothing
 constexpr double kLegReach_m = 0.4;         // of a leg from the person's middle
 constexpr int kMinLegEchoes = 2;
 constexpr double kMinSettled_s = 0.7;

@@ -9,10 +9,10 @@
 namespace scanbed {
 namespace {
 
-constexpr int kMaxHypotheses = 6;
-constexpr int kMaxAnswers = 4;           // of one hypothesis to one scan
+constexpr int kMaxHypotheses = 12;
+constexpr int kMaxAnswers = 6;           // of one hypothesis to one scan
 constexpr double kMaxLoss = 8.0;         // what costs so much more than the best is dropped
-constexpr double kChangeSurprise = 2.0;  // of somebody shown being taken for somebody else
+constexpr double kChangeSurprise = 1.0;  // of somebody shown being taken for somebody else
 constexpr double kSamePlace_m = 0.5;     // who is so near to where somebody was shown is that one
 constexpr double kOwnPlace_m = 0.1;      // by so much each is nearer to the own place
 

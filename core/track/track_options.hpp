@@ -22,7 +22,7 @@ struct TrackOptions {
   double max_displacement_evidence = 3.0;  ///< to which it adds no more than this
   double max_leg_distance_m = 0.6;         ///< between two legs that are taken for a person's
   double thin_circle_score = 0.5;          ///< of a leg that was found as a thin circle alone; 0: it is none
-  double min_score = 0.6;                  ///< persons and legs below are followed, but not reported
+  double min_score = 0.62;                 ///< persons and legs below are followed, but not reported
   double min_cylinder_radius_m = 0.09;     ///< thinner circles are not followed
   double max_cylinder_radius_m = 1.0;      ///< thicker ones neither
   double mobile_distance_m = 0.25;  ///< a cylinder that moved so far within the window is mobile for good

@@ -38,10 +38,10 @@ TEST(GaitExpectationTest, WithoutLegsSeenBeforeDistanceFromTheMiddleCounts) {
 }
 
 // One foot stands for 0.63 s of 1.05 s: 0.2 s after, at least one has stood all the time in 0.86 of 1.05 s.
-// Its shin went on by 0.35 of the way of 0.26 m; that leg's own Gaussian has 0.04 m and 0.15 of the way.
+// Its shin went on by 0.35 of the way of 0.26 m; that leg's own Gaussian has 0.03 m and 0.12 of the way.
 TEST(GaitExpectationTest, ALegThatStandsIsWhereItWas) {
   const LiveTrack person = with_legs_at(walker(1.3), {0.2, 0.1}, {-0.2, -0.1}, 0.2);
-  const double var_m2 = 0.04 * 0.04 + 0.039 * 0.039;
+  const double var_m2 = 0.03 * 0.03 + 0.0312 * 0.0312;
   const double standing = 0.5 * 0.86 / 1.05;
   const Vector2d at_m(0.2 + 0.35 * 0.26, 0.1);
   const double likelihood =
@@ -60,11 +60,11 @@ TEST(GaitExpectationTest, LegsLieAlongTheWayRatherThanAcross) {
   const GaitExpectation expectation(walker(1.3));
   const double along = expectation.surprise_of(Vector2d(0.2, 0.0), Vector2d(-0.2, 0.0));
   const double across = expectation.surprise_of(Vector2d(0.0, 0.2), Vector2d(0.0, -0.2));
-  // 0.4 m are 0.4 / 0.33 standard deviations along; across they are 0.4 / 0.17 where the heading is certain,
+  // 0.4 m are 0.4 / 0.38 standard deviations along; across they are 0.4 / 0.20 where the heading is certain,
   // and it is so by 1.69 / (1.69 + 0.09).
   const double sureness = 1.69 / 1.78;
-  const double across_var_m2 = sureness * 0.17 * 0.17 + (1.0 - sureness) * 0.33 * 0.33;
-  EXPECT_NEAR(across - along, 0.16 / across_var_m2 - 0.16 / (0.33 * 0.33), 1e-9);
+  const double across_var_m2 = sureness * 0.20 * 0.20 + (1.0 - sureness) * 0.38 * 0.38;
+  EXPECT_NEAR(across - along, 0.16 / across_var_m2 - 0.16 / (0.38 * 0.38), 1e-9);
 }
 
 TEST(GaitExpectationTest, WhoStandsHasLegsInAnyDirection) {

@@ -153,7 +153,7 @@ TEST(LiveTrackTest, CoastsOnlyWhileItsPlaceIsKnown) {
   LiveTrack track = hit_twice({3.0, 0.0}, 0.0);
   track.point = {.p_m = {3.0, 0.0}, .var_p_m2 = 1e-6, .var_v_m2_per_s2 = 0.25};
   EXPECT_EQ(misses_at_hand(track, scan, 0.2), 2);
-  EXPECT_EQ(misses_at_hand(track, scan, 0.6), 1);
+  EXPECT_EQ(misses_at_hand(track, scan, 0.5), 1);
   EXPECT_EQ(misses_at_hand(track, scan, 0.8), 0);
 }
 

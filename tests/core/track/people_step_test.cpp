@@ -142,7 +142,7 @@ TEST(PeopleStepTest, AWidthThatIsNotTheOwnIsASurprise) {
 }
 
 TEST(PeopleStepTest, NoPairIsWiderThanAStep) {
-  for (const auto& [apart_m, is_pair] : {std::pair{0.65, true}, {0.75, false}}) {
+  for (const auto& [apart_m, is_pair] : {std::pair{0.75, true}, {0.85, false}}) {
     Story story;
     for (int i = 0; i < 20; ++i) story.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1})});
     const std::vector<LegClaims::Answer> answers =

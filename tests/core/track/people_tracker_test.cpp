@@ -209,7 +209,7 @@ TEST(PeopleTrackerTest, TwoLegsAreSurerThanOne) {
 
 // The gate is 0.6 m at most, and a stride of 0.35 m on top.
 TEST(PeopleTrackerTest, ALegAStrideAheadIsAPersonsStill) {
-  for (const auto& [ahead_m, is_own] : {std::pair{0.8, true}, {1.0, false}}) {
+  for (const auto& [ahead_m, is_own] : {std::pair{0.7, true}, {1.0, false}}) {
     Stage stage(0.19);
     for (int i = 0; i < 6; ++i) stage.show({leg_at({2.0, 0.1}), leg_at({2.0, -0.1})});
     stage.show({});
