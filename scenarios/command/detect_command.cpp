@@ -21,7 +21,7 @@
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
-#include "scenarios/load/place.hpp"
+#include "scenarios/command/source_watch.hpp"
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/analyst.hpp"
 #include "scenarios/run/live_sensor.hpp"
@@ -31,28 +31,6 @@ namespace {
 
 // Longer than any laser needs for a scan; sources that never wait ignore it.
 constexpr RangeSensor::Seconds kScanTimeout{2.0};
-
-// Tells once that a recording mixes lasers: their scans follow each other as if they were of one.
-class SourceWatch {
- public:
-  explicit SourceWatch(const LaserSpec& spec)
-      : name_(spec.target), is_watching_(spec.kind == LaserKind::kLog && spec.log.only.empty()) {}
-
-  void see(const LaserScan& scan) {
-    if (!is_watching_) return;
-    if (!first_) first_ = scan.source;
-    if (scan.source == *first_) return;
-    is_watching_ = false;
-    const std::string& example = first_->empty() ? scan.source : *first_;
-    log_warning(fmt::format("{}: mixes scans of several lasers, {} and {}; read one with log:{}?only={}",
-                            name_, quote(*first_), quote(scan.source), name_, example));
-  }
-
- private:
-  std::string name_;
-  bool is_watching_;
-  std::optional<std::string> first_;
-};
 
 /// Where features go.
 struct Sinks {

@@ -11,6 +11,7 @@
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
+#include "scenarios/command/source_watch.hpp"
 #include "scenarios/run/live_sensor.hpp"
 #include "scenarios/run/picture_taker.hpp"
 
@@ -56,7 +57,9 @@ RunAndPictures run_simulated(const RunCommand& command, const Run& run) {
 
 RunAndPictures run_on_log(const RunCommand& command, const Run& run) {
   const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
-  RunAndPictures done{.result = run_on(*log, command, run), .pictures = {}};
+  SourceWatch watch(command.laser);
+  RunAndPictures done;
+  done.result = run_on(*log, command, run, [&](const LaserScan& scan, const Features&) { watch.see(scan); });
   log_note(to_text(log->counts()));
   return done;
 }

@@ -136,6 +136,14 @@ TEST_F(RunTest, CountsOnARecordingWithoutScoring) {
   EXPECT_NE(outcome.out.find("not scored"), std::string::npos) << outcome.out;
 }
 
+TEST_F(RunTest, WarnsOfARecordingOfSeveralLasers) {
+  const std::string scan = testing::flaser(std::vector<std::string>(181, "2.0"));
+  const std::string file = testing::write_file(folder_ / "a.log", scan + "R" + scan.substr(1)).string();
+  const Outcome mixed = run_program({"run", scenario(kEasy), "--laser", "log:" + file});
+  EXPECT_EQ(mixed.exit_code, 0) << mixed.err;
+  EXPECT_NE(mixed.err.find("mixes scans of several lasers, 'FLASER' and 'RLASER'"), std::string::npos);
+}
+
 TEST_F(RunTest, RefusesBadInputInOneLine) {
   const auto refused = [](const std::vector<std::string>& arguments) {
     const Outcome outcome = run_program(arguments);
