@@ -85,7 +85,8 @@ void append_row(std::string& out, Runs runs) {
     append_tally(out, *tally, counts.num_scans);
   }
   const bool has_people = counts.person && counts.person->num_truths > 0;
-  append(out, "{:>8}  {}\n", has_people ? fmt::format("{:.3f}", counts.person->mota()) : "-", verdict(runs));
+  append(out, "{:>8}{:>14}  {}\n", has_people ? fmt::format("{:.3f}", counts.person->mota()) : "-",
+         has_people ? fmt::format("{:.2f}", counts.person->switches_per_minute()) : "-", verdict(runs));
 }
 
 // A bar of a scenario and the runs that missed it.
@@ -177,10 +178,10 @@ std::vector<RunResult> complete(Runs results) {
 std::string summary_of_complete(Runs results) {
   if (results.empty()) return "no runs\n";
   std::string out = fmt::format("preset {}, laser {}\n", results[0].preset, results[0].laser);
-  append(out, "  {:<31}{:>22}{:>22}{:>22}{:>8}\n", "", "lines   ", "circles   ", "legs   ", "people");
+  append(out, "  {:<31}{:>22}{:>22}{:>22}{:>22}\n", "", "lines   ", "circles   ", "legs   ", "people   ");
   append(out, "  {:<26}{:>5}", "scenario", "runs");
   for (int kind = 0; kind < 3; ++kind) append(out, "{:>8}{:>7}{:>7}", "prec.", "recall", "false");
-  append(out, "{:>8}\n", "MOTA");
+  append(out, "{:>8}{:>14}\n", "MOTA", "switches/min");
   const std::vector<Runs> groups = group(results);
   for (const Runs& runs : groups) append_row(out, runs);
   std::string notes;

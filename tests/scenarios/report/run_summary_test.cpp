@@ -41,6 +41,17 @@ TEST(RunSummaryTest, HasARowForEachScenario) {
   EXPECT_TRUE(text.ends_with("\n2 scenarios, 3 runs: no gate missed that is not known to fail\n")) << text;
 }
 
+// Pooled: 3 switches in 2 minutes, and 10 of 100 truths missed or taken for others.
+TEST(RunSummaryTest, TellsHowPeopleWereFollowed) {
+  std::vector<RunResult> results = {result("hall", 1), result("hall", 2)};
+  results[0].scores->person = {.num_truths = 40, .num_matches = 40, .num_switches = 3, .object_time_s = 30.0};
+  results[1].scores->person = {.num_truths = 60, .num_matches = 53, .object_time_s = 90.0};
+  const std::string text = summary(results);
+  EXPECT_TRUE(holds_line(text, "  scenario  ", "    MOTA  switches/min")) << text;
+  EXPECT_TRUE(holds_line(text, "  hall  ", "   0.900          1.50  pass")) << text;
+  EXPECT_TRUE(holds_line(summary({result("hall", 1)}), "  hall  ", "       -             -  pass"));
+}
+
 TEST(RunSummaryTest, TellsTheWorstOfAMissedGate) {
   std::vector<RunResult> results = {result("hall", 1), result("hall", 2), result("hall", 3)};
   for (const auto& [run, value] : {std::pair(1, 0.5), std::pair(2, 0.625)}) {
