@@ -84,11 +84,11 @@ bool goes_on_steadily(const Echoes& e, const GapBound& bound, const SurfaceOptio
   return bound.margin_m2(std::min(other, k + 1), std::max(other, k)) <= 0.0;
 }
 
-// Lists the echoes from a place on that do not lie near the one before, behind those that are listed already;
+// Lists those of some echoes that do not lie near the one before, behind those that are listed already;
 // returns how many they are then. Jumps come when they will: kept by counting, as a processor would foresee
 // them wrongly.
-int list_jumps(const GapBound& bound, int first, int num_echoes, int num_jumps, int* jumps) {
-  for (int k = first; k < num_echoes; ++k) {
+int list_jumps(const GapBound& bound, Stretch echoes, int num_jumps, int* jumps) {
+  for (int k = echoes.first; k <= echoes.last; ++k) {
     jumps[num_jumps] = k;
     num_jumps += bound.margin_m2(k - 1, k) > 0.0 ? 0 : 1;
   }
@@ -104,7 +104,7 @@ SCANBED_AVX2 int list_jumps_avx2(const GapBound& bound, int num_echoes, int* jum
     bound.find_margins_m2(k, margin_m2);
     num_jumps += list_places(bits_of(~(margin_m2 > 0.0)), k, jumps + num_jumps);
   }
-  return list_jumps(bound, k, num_echoes, num_jumps, jumps);
+  return list_jumps(bound, {k, num_echoes - 1}, num_jumps, jumps);
 }
 #endif
 
@@ -112,7 +112,7 @@ int list_jumps(InstructionSet set, const GapBound& bound, int num_echoes, int* j
 #if defined(SCANBED_HAS_AVX2)
   if (set == InstructionSet::kAvx2) return list_jumps_avx2(bound, num_echoes, jumps);
 #endif
-  return list_jumps(bound, 1, num_echoes, 0, jumps);
+  return list_jumps(bound, {1, num_echoes - 1}, 0, jumps);
 }
 
 bool all_between_are_nearer(const Echoes& e, int a, int b) {
