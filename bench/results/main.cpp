@@ -11,6 +11,7 @@
 #include "bench/results/score_bins.hpp"
 #include "bench/results/simulated_results.hpp"
 #include "bench/results/tracked_results.hpp"
+#include "core/track/track_options.hpp"
 
 namespace scanbed::bench {
 namespace {
