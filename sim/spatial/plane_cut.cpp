@@ -95,6 +95,11 @@ void cut_round_end(const InSensorFrame& at, const RoundBody& body, double side, 
   slice.arcs.push_back(arc);
 }
 
+// A corner in the plane counts as above it, but those of a body that stands on the plane as below.
+bool is_above(const Vector3d& p_SQ, double lowest_m) {
+  return lowest_m < 0.0 ? p_SQ.z() >= 0.0 : p_SQ.z() > 0.0;
+}
+
 }  // namespace
 
 Polyhedron prism(const std::vector<Vector2d>& outline_m, double bottom_m, double top_m,
@@ -135,19 +140,20 @@ Polyhedron sheet(const std::array<Vector2d, 2>& line_m, double bottom_m, double 
 
 void PlaneCutter::cut(const LaserPlane& plane, const Polyhedron& body, PlanarSlice& slice) {
   corners_S_.clear();
-  bool any_above = false;
-  bool any_below = false;
+  double lowest_m = kInfinity;
+  double highest_m = -kInfinity;
   for (const Vector3d& p_WQ : body.corners_m) {
     corners_S_.push_back(plane.R_WS.transpose() * (p_WQ - plane.p_WS));
-    (corners_S_.back().z() >= 0.0 ? any_above : any_below) = true;
+    lowest_m = std::min(lowest_m, corners_S_.back().z());
+    highest_m = std::max(highest_m, corners_S_.back().z());
   }
-  if (!any_above || !any_below) return;
+  if (lowest_m > 0.0 || highest_m < 0.0) return;
   crossings_.clear();
   for (const auto& [from, to] : body.edges) {
     const Vector3d& a = corners_S_[from];
     const Vector3d& b = corners_S_[to];
     Crossing& crossing = crossings_.emplace_back();
-    crossing.crosses = (a.z() >= 0.0) != (b.z() >= 0.0);
+    crossing.crosses = is_above(a, lowest_m) != is_above(b, lowest_m);
     if (crossing.crosses) crossing.p_SQ = a.head<2>() + a.z() / (a.z() - b.z()) * (b.head<2>() - a.head<2>());
   }
   for (const Polyhedron::Face& face : body.faces) {

@@ -74,6 +74,24 @@ TEST(PlaneCutTest, ABlockAboveOrBelowIsNotCut) {
   EXPECT_TRUE(slice.segments.empty());
 }
 
+// A laser at height h meets a solid if bottom_m <= h <= top_m (sim/world/world.hpp).
+TEST(PlaneCutTest, ABlockIsCutAtItsBottomAndAtItsTop) {
+  for (const double height_m : {0.0, 1.0}) {
+    PlanarSlice slice;
+    PlaneCutter().cut(pitched(height_m, 0.0), kBlock, slice);
+    EXPECT_EQ(slice.segments.size(), 4U) << height_m;
+    EXPECT_EQ(range_ahead_m(slice), 2.0) << height_m;
+  }
+}
+
+TEST(PlaneCutTest, ASheetIsCutAtItsBottomAndAtItsTop) {
+  for (const double height_m : {0.3, 1.0}) {
+    PlanarSlice slice;
+    PlaneCutter().cut(pitched(height_m, 0.0), sheet({Vector2d(3, -1), Vector2d(3, 1)}, 0.3, 1.0, 5), slice);
+    EXPECT_EQ(range_ahead_m(slice), 3.0) << height_m;
+  }
+}
+
 TEST(PlaneCutTest, ASheetIsOneSegment) {
   PlanarSlice slice;
   PlaneCutter().cut(pitched(0.5, 0.0), sheet({Vector2d(3, -1), Vector2d(3, 1)}, 0.0, 1.0, 5), slice);
