@@ -12,6 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Form = Asked::Form;
 
+constexpr const char* kInclude = "include";
+
 Json to_json(double value) {
   // 360, not 360.0.
   if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
@@ -45,7 +47,8 @@ class SchemaWriter {
       case Form::kFlag:
         return {{"type", "boolean"}};
       case Form::kText:
-        return {{"type", "string"}, {"minLength", 1}};
+        // What editors read as a number or a flag, the loader takes as it is written: id: 7.
+        return {{"type", {"string", "number", "boolean"}}, {"minLength", 1}};
       case Form::kWord:
         return {{"enum", asked.words()}};
       case Form::kList:
@@ -85,13 +88,22 @@ class SchemaWriter {
     Json properties = Json::object();
     Json required = Json::array();
     for (const std::string& key : asked.key_names()) {
-      properties[key] = schema(asked.key(key));
+      properties[key] = is_needless(key) ? or_nothing(schema(asked.key(key))) : schema(asked.key(key));
       if (needs_keys_ && asked.is_needed(key)) required.push_back(key);
     }
     json["properties"] = properties;
     if (!required.empty()) json["required"] = required;
     json["additionalProperties"] = false;
     return json;
+  }
+
+  // A key without a value takes that of the included file away; includes are followed before.
+  bool is_needless(const std::string& key) const { return !needs_keys_ && key != kInclude; }
+
+  static Json or_nothing(const Json& json) {
+    Json forms = json.contains("anyOf") ? json["anyOf"] : Json::array({json});
+    forms.push_back({{"type", "null"}});
+    return {{"anyOf", forms}};
   }
 
   bool needs_keys_;
@@ -105,7 +117,7 @@ std::string json_schema(const Asked& scenario) {
                            {"minLength", 1}};
   const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                        {"title", "scanbed scenario"},
-                       {"if", {{"required", {"include"}}}},
+                       {"if", {{"required", {kInclude}}}},
                        {"then", {{"$ref", "#/$defs/part"}}},
                        {"else", {{"$ref", "#/$defs/whole"}}},
                        {"$defs",

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace scanbed::scenarios {
 namespace {
@@ -47,7 +48,28 @@ TEST(JsonSchemaTest, FilesThatIncludeOthersNeedNoKey) {
   const json schema = json::parse(json_schema(small()));
   EXPECT_EQ(schema["if"], json({{"required", {"include"}}}));
   EXPECT_FALSE(schema["$defs"]["part"].contains("required"));
-  EXPECT_EQ(schema["$defs"]["part"]["properties"], schema["$defs"]["whole"]["properties"]);
+  const json& part = schema["$defs"]["part"]["properties"];
+  const json& whole = schema["$defs"]["whole"]["properties"];
+  ASSERT_EQ(part.size(), whole.size());
+  for (const auto& [key, value] : whole.items()) EXPECT_TRUE(part.contains(key)) << key;
+}
+
+TEST(JsonSchemaTest, FilesThatIncludeOthersMayTakeAKeyAway) {
+  const json schema = json::parse(json_schema(small()));
+  const json nothing = {{"type", "null"}};
+  const json& part = schema["$defs"]["part"]["properties"];
+  EXPECT_EQ(part["r"]["anyOf"].back(), nothing);
+  EXPECT_EQ(part["use"]["anyOf"], json({{{"enum", {"a", "b"}}}, nothing}));
+  EXPECT_EQ(part["vars"]["anyOf"].back(), nothing);
+  EXPECT_EQ(schema["$defs"]["whole"].dump().find("null"), std::string::npos);
+}
+
+TEST(JsonSchemaTest, TextMayLookLikeANumberOrAFlag) {
+  Asked asked = small();
+  asked.key("id").add_form(Form::kText);
+  const json schema = json::parse(json_schema(asked));
+  const json& id = schema["$defs"]["whole"]["properties"]["id"];
+  EXPECT_EQ(id, json({{"type", {"string", "number", "boolean"}}, {"minLength", 1}}));
 }
 
 }  // namespace

@@ -26,11 +26,15 @@ BAD = [
     {**HEAD, "world": [{"id": "a", "cylinder": {"at": [0, 1], "r": 1, "x": 2}}]},
     {**HEAD, "world": [{"id": "a", "walls": [[0, 1]]}]},
     {**HEAD, "sensor": {"noise": {"sigma": 7}}},
+    {**HEAD, "sensor": None},
+    {"include": None},
 ]
 GOOD = [
     HEAD,
     {**HEAD, "vars": {"R": 0.3}, "world": [{"id": "a", "cylinder": {"at": [0, "$R * 2"], "r": "$R"}}]},
     {"include": "other.yaml", "world": [{"id": "a", "cylinder": {"r": 0.3}}]},
+    {"include": "other.yaml", "score": {"circle": None}, "world": [{"id": "a", "label": None}], "robot": None},
+    {**HEAD, "name": 2005, "world": [{"id": 7, "label": True, "cylinder": {"at": [0, 1], "r": 1}}]},
     {**HEAD, "robot": {"drive": [{"path": {"line": [[1, 2]]}}, {"follow": {"for": 10}}]}},
 ]
 
