@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
 
@@ -58,6 +60,23 @@ std::vector<Task> tasks_of(const RunCommand& command, std::span<const Setting> s
   return tasks;
 }
 
+bool is_one_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return a == b || std::filesystem::equivalent(find_scenario(a), find_scenario(b), error);
+}
+
+// Results and pictures are told apart by the names of their scenarios.
+void check_names(const std::vector<Task>& tasks) {
+  std::map<std::string, std::string> file_of_name;
+  for (const Task& task : tasks) {
+    if (!task.scenario) continue;
+    const auto [first, is_new] = file_of_name.emplace(task.scenario->name, task.name);
+    if (is_new || is_one_file(first->second, task.name)) continue;
+    throw InputError(fmt::format("{}: name: {} is that of {} too; allowed: a name of its own", task.name,
+                                 quote(first->first), first->second));
+  }
+}
+
 void check_laser(const RunCommand& command) {
   if (command.truth && !command.laser.is_device()) {
     throw InputError("--truth: only for scans of a device; write --laser sick:PORT");
@@ -76,6 +95,7 @@ void check_tasks(const RunCommand& command, const std::vector<Task>& tasks) {
   if (command.record && tasks.size() > 1) {
     throw InputError(fmt::format("--record: one recording holds one run; found {}", tasks.size()));
   }
+  check_names(tasks);
   for (const Task& task : tasks) {
     if (task.out) make_folder(*task.out);
   }

@@ -56,6 +56,13 @@ TEST_F(RunTest, WarnsOfWhatTheScriptDrivesIntoEachOther) {
       << outcome.err;
 }
 
+TEST_F(RunTest, RunsOneScenarioAsOftenAsItIsNamed) {
+  const std::string file = scenario(kEasy);
+  const Outcome outcome = run_program({"run", file, (folder_ / "./s.yaml").string()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 scenarios, 2 runs"), std::string::npos) << outcome.out;
+}
+
 TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
   const Outcome outcome = run_program({"run", scenario(kEasy), scenario(kHard, "t.yaml")});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -169,6 +176,10 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", scenario(kEasy), "--json", "x.jsonl", "--record", "x.jsonl"});
   // A name with control characters stays one line too.
   refused({"run", "a\nb"});
+  // Pictures of the one would overwrite those of the other, and the summary would take both for one.
+  EXPECT_NE(refused({"run", scenario(kEasy), scenario(kEasy + "seed: 2\n", "t.yaml")})
+                .find("t.yaml: name: 'easy' is that of "),
+            std::string::npos);
 }
 
 TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {
