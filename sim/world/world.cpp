@@ -21,6 +21,7 @@ using Eigen::Vector2d;
 // The planar engine counts in single precision: within a kilometre its steps stay below 0.1 mm.
 constexpr double kReach_m = 1000.0;
 constexpr double kMinEdge_m = 1e-3;
+constexpr double kMostWalked_m = 1e6;
 
 std::string quoted(const char* kind, const std::string& id) {
   return std::string(kind) + " '" + id + "'";
@@ -118,12 +119,17 @@ void check_tow(const Tow& tow) {
 }
 
 void check_stops(const Walker& walker, const std::string& name) {
+  if (walker.stops.empty()) return;
+  // Behind the end of an open path nobody walks, so nobody would stop.
+  const double end_m = walker.path.loop ? kMostWalked_m : RoundedPath(walker.path).length_m();
   double before_m = -1.0;
   for (std::size_t i = 0; i < walker.stops.size(); ++i) {
     const Stop& stop = walker.stops[i];
     const std::string which = name + ": stop " + std::to_string(i);
-    require(stop.at_m >= 0.0 && stop.at_m > before_m && stop.at_m <= 1e6, which + ": at_m", stop.at_m,
+    require(stop.at_m >= 0.0 && stop.at_m > before_m, which + ": at_m", stop.at_m,
             ">= 0, behind the stop before");
+    require(stop.at_m <= end_m, which + ": at_m", stop.at_m,
+            "at most " + std::to_string(end_m) + " m, where its path ends");
     require(std::abs(stop.turn_rad) <= 2.0 * kPi, which + ": turn_rad", stop.turn_rad, "at most one turn");
     const double least_s = shortest_stop_s(walker.speed_m_per_s, stop.turn_rad);
     require(stop.for_s >= least_s, which + ": for_s", stop.for_s,

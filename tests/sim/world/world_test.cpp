@@ -124,6 +124,12 @@ TEST(WorldTest, NamesTheWalkerAndTheFieldThatCannotBe) {
         w.walkers[0].stops = {{.at_m = 1}, {.at_m = 1}};
       },
       "walker 'anna': stop 1: at_m");
+  expect_refused(
+      [](World& w) {
+        w.walkers[0].path = {{{0, 1}, {3, 1}, {3, 5}}, false, 0, false};
+        w.walkers[0].stops = {{.at_m = 7.0}, {.at_m = 7.1}};
+      },
+      "walker 'anna': stop 1: at_m: value 7.1 is out of range; allowed: at most 7");
   expect_refused([](World& w) { w.walkers[0].stops = {{.for_s = 0.5}}; }, "walker 'anna': stop 0: for_s");
   expect_refused([](World& w) { w.walkers[0].stops = {{.turn_rad = 7}}; }, "walker 'anna': stop 0: turn_rad");
   expect_refused([](World& w) { w.walkers[0].material.reflectivity = 0; }, "walker 'anna': reflectivity");
