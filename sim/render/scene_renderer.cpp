@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
+#include <cstdint>
+#include <vector>
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/sensor_fault.hpp"
@@ -43,12 +44,39 @@ void place_lamps(const ViewCamera& camera, const mjModel& model, mjvScene& scene
   }
 }
 
-// Beyond the floor a plan shows what OpenGL left black, for the sky is farther than its far plane.
-void paint_nothing(std::span<const float> depth, std::uint8_t* rgb) {
+/// A picture as OpenGL left it.
+struct Pixels {
+  std::size_t width_px;
+  std::vector<std::uint8_t> rgb;
+  std::vector<float> depth;
+
+  bool is_black(std::size_t i) const { return rgb[3 * i] + rgb[3 * i + 1] + rgb[3 * i + 2] == 0; }
+};
+
+// Beyond the floor a plan shows what OpenGL left black, for the sky is farther than its far plane. Pixels
+// that touch it hold some of that black.
+std::vector<bool> find_nothing(const Pixels& pixels) {
+  const std::size_t num_pixels = pixels.depth.size();
+  std::vector<bool> is_nothing(num_pixels);
+  for (std::size_t i = 0; i < num_pixels; ++i) {
+    if (pixels.depth[i] < 1.0F) continue;
+    is_nothing[i] = true;
+    if (!pixels.is_black(i)) continue;
+    const std::size_t column = i % pixels.width_px;
+    if (column > 0) is_nothing[i - 1] = true;
+    if (column + 1 < pixels.width_px) is_nothing[i + 1] = true;
+    if (i >= pixels.width_px) is_nothing[i - pixels.width_px] = true;
+    if (i + pixels.width_px < num_pixels) is_nothing[i + pixels.width_px] = true;
+  }
+  return is_nothing;
+}
+
+void paint_nothing(Pixels& pixels) {
   static const Eigen::Array<std::uint8_t, 3, 1> sky =
       (255.0 * kSkyColor).array().round().cast<std::uint8_t>();
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (depth[i] >= 1.0F) std::copy(sky.begin(), sky.end(), rgb + 3 * i);
+  const std::vector<bool> is_nothing = find_nothing(pixels);
+  for (std::size_t i = 0; i < is_nothing.size(); ++i) {
+    if (is_nothing[i]) std::copy(sky.begin(), sky.end(), pixels.rgb.data() + 3 * i);
   }
 }
 
@@ -116,9 +144,10 @@ RenderedScene SceneRenderer::render(mjData& data, const ViewCamera& camera) {
   mjr_render(viewport, &self.scene, &self.context);
 
   const std::size_t num_pixels = static_cast<std::size_t>(width_px) * height_px;
-  std::vector<std::uint8_t> rgb(3 * num_pixels);
-  std::vector<float> depth(num_pixels);
-  mjr_readPixels(rgb.data(), depth.data(), viewport, &self.context);
+  Pixels pixels{static_cast<std::size_t>(width_px), std::vector<std::uint8_t>(3 * num_pixels),
+                std::vector<float>(num_pixels)};
+  mjr_readPixels(pixels.rgb.data(), pixels.depth.data(), viewport, &self.context);
+  paint_nothing(pixels);
 
   // OpenGL counts rows from below, and its depth is hyperbolic between the near and the far plane.
   RenderedScene result{{width_px, height_px, std::vector<std::uint8_t>(3 * num_pixels)},
@@ -128,9 +157,9 @@ RenderedScene SceneRenderer::render(mjData& data, const ViewCamera& camera) {
   for (int row = 0; row < height_px; ++row) {
     const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(height_px - 1 - row) * width_px;
     const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(row) * width_px;
-    std::copy_n(rgb.begin() + 3 * from, 3 * width_px, result.image.rgb.begin() + 3 * to);
-    paint_nothing(std::span(depth).subspan(from, width_px), result.image.rgb.data() + 3 * to);
-    std::transform(depth.begin() + from, depth.begin() + from + width_px, result.depth_m.begin() + to,
+    std::copy_n(pixels.rgb.begin() + 3 * from, 3 * width_px, result.image.rgb.begin() + 3 * to);
+    std::transform(pixels.depth.begin() + from, pixels.depth.begin() + from + width_px,
+                   result.depth_m.begin() + to,
                    [=](float d) { return near_m * far_m / (far_m - d * (far_m - near_m)); });
   }
   return result;

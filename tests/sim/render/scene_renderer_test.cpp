@@ -93,6 +93,22 @@ TEST_F(SceneRendererTest, BeyondTheFloorAPlanShowsTheSky) {
   EXPECT_LT((pixel(scene.image, {2.5, 100.5}) - kSkyColor).cwiseAbs().maxCoeff(), 1.0 / 255.0);
 }
 
+// However the edges of the floor lie between the pixels: floor and sky are both bright.
+TEST_F(SceneRendererTest, APlansFloorHasNoDarkEdge) {
+  const ModelPtr model = load_model(mjcf_of(World{}));
+  const DataPtr data = make_data(*model);
+  pose_actors(World{}, {}, *model, *data);
+  for (int width_px = 300; width_px < 304; ++width_px) {
+    const PictureSize size{width_px, 100};
+    SceneRenderer renderer(*model, size);
+    const RenderedScene scene = renderer.render(*data, plan_camera(world_bounds(World{}), size, {}));
+    // Beside the robot, which stands in the middle.
+    for (int x_px = 0; x_px < width_px; ++x_px) {
+      EXPECT_GT(pixel(scene.image, {x_px + 0.5, 20.5}).minCoeff(), 0.75) << x_px << " of " << width_px;
+    }
+  }
+}
+
 TEST_F(SceneRendererTest, SeveralRenderersTakeTurns) {
   SceneRenderer first(*model_, size_);
   const RenderedScene alone = first.render(*data_, oblique_);
