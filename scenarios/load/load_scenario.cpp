@@ -150,6 +150,13 @@ void validate_parts(const Scenario& scenario, const TreeNode& root) {
   }
 }
 
+// Those of the file have been followed by now.
+void refuse_include_of_setting(const TreeNode& root) {
+  for (const NodeEntry& entry : root.entries) {
+    if (entry.key == "include") refuse(entry.place, "include: only a file includes others");
+  }
+}
+
 // Where a document comes from.
 struct Origin {
   std::string name;
@@ -159,6 +166,7 @@ struct Origin {
 Scenario load_document(TreeNode root, const Origin& origin, std::span<const Setting> settings) {
   resolve_includes(root, origin.folder);
   for (const Setting& setting : settings) set_path(root, setting);
+  refuse_include_of_setting(root);
   if (root.kind == TreeNode::Kind::kNothing) {
     throw InputError(origin.name + ": is empty; expected a scenario");
   }

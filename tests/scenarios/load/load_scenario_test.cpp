@@ -79,6 +79,8 @@ TEST(LoadScenarioTest, ChecksSettingsLikeTheFile) {
             "--set sensor.nois.sigma=0.02: unknown key 'nois'; did you mean 'noise'?");
   EXPECT_EQ(error_of([&] { set("duration", "-1"); }),
             "--set duration=-1: duration: value -1 is out of range; allowed: (0, 86400]");
+  EXPECT_EQ(error_of([&] { set("include", "hall.yaml"); }),
+            "--set include=hall.yaml: include: only a file includes others");
 }
 
 TEST(LoadScenarioTest, ReadsFiles) {
