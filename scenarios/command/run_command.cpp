@@ -60,6 +60,15 @@ std::vector<Task> tasks_of(const RunCommand& command, std::span<const Setting> s
   return tasks;
 }
 
+// The first seed's world was fine: without this one the message is a riddle.
+Scenario open_with_seed(const Task& task, std::span<const Setting> settings) {
+  try {
+    return open_scenario(task.name, settings, task.seed);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} (seed {})", error.what(), *task.seed));
+  }
+}
+
 bool is_one_file(const std::string& a, const std::string& b) {
   std::error_code error;
   return a == b || std::filesystem::equivalent(find_scenario(a), find_scenario(b), error);
@@ -229,9 +238,7 @@ ExitCode execute(const RunCommand& command) {
                    [&](int i) {
                      if (is_interrupted()) return;
                      Task& task = tasks[i];
-                     if (!task.scenario) {
-                       task.scenario = open_scenario(task.name, settings.scenario, task.seed);
-                     }
+                     if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
                      FeatureDetector detector(options.detector);
                      const AnalystOptions analysis{command.track, false, options.track, options.interpret};
                      const Processing processing{detector, analysis, command.detector.preset};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "tests/scenarios/run_program.hpp"
 
@@ -100,6 +101,19 @@ TEST_F(RunTest, GivesTheSameBytesForAnyNumberOfWorkers) {
     EXPECT_EQ(nlohmann::json::parse(alone)["runs"].size(), 12u);
     EXPECT_EQ(json("4"), alone) << backend;
   }
+}
+
+// The robot stands where one room in three has furniture; run alone, the seed that is named fails as well.
+TEST_F(RunTest, NamesTheSeedWhoseWorldCannotBe) {
+  const std::string file = scenario(
+      "schema: 1\nname: rooms\nduration: 0.2\ngenerate: rooms\nrobot: {pose: [1.9, 0.5, 0], radius: 0.5}\n");
+  const Outcome many = run_program({"run", file, "--seed", "1..40"});
+  EXPECT_EQ(many.exit_code, 2);
+  const std::size_t at = many.err.find(" (seed ");
+  ASSERT_NE(at, std::string::npos) << many.err;
+  const int seed = std::stoi(many.err.substr(at + 7));
+  const Outcome alone = run_program({"run", file, "--seed", std::to_string(seed)});
+  EXPECT_EQ(alone.err, many.err.substr(0, at) + "\n");
 }
 
 TEST_F(RunTest, RunsEachScenarioWithEachSeed) {
