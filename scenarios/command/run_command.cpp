@@ -43,19 +43,22 @@ struct Task {
   std::optional<std::filesystem::path> out;  // folder for its pictures
 };
 
+void add_tasks(const RunCommand& command, const std::string& name, std::span<const Setting> settings,
+               std::vector<Task>& tasks) {
+  const int num_seeds = command.seeds ? command.seeds->count() : 1;
+  for (int i = 0; i < num_seeds; ++i) {
+    Task task{.name = name, .seed = {}, .scenario = {}, .out = command.out};
+    if (command.seeds) task.seed = command.seeds->first + static_cast<std::uint64_t>(i);
+    if (i == 0) task.scenario = open_scenario(name, settings, task.seed);
+    if (command.out && num_seeds > 1) task.out = *command.out / fmt::format("seed_{}", *task.seed);
+    tasks.push_back(std::move(task));
+  }
+}
+
 std::vector<Task> tasks_of(const RunCommand& command, std::span<const Setting> settings) {
   std::vector<Task> tasks;
   for (const std::string& pattern : command.scenarios) {
-    for (const std::string& name : names_that_fit(pattern)) {
-      const int num_seeds = command.seeds ? command.seeds->count() : 1;
-      for (int i = 0; i < num_seeds; ++i) {
-        Task task{.name = name, .seed = {}, .scenario = {}, .out = command.out};
-        if (command.seeds) task.seed = command.seeds->first + static_cast<std::uint64_t>(i);
-        if (i == 0) task.scenario = open_scenario(name, settings, task.seed);
-        if (command.out && num_seeds > 1) task.out = *command.out / fmt::format("seed_{}", *task.seed);
-        tasks.push_back(std::move(task));
-      }
-    }
+    for (const std::string& name : names_that_fit(pattern)) add_tasks(command, name, settings, tasks);
   }
   return tasks;
 }
