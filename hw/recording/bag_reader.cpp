@@ -54,15 +54,18 @@ class BagSource final : public ScanSource {
     read_start();
   }
 
-  bool read(RecordedScan& out) override {
+  bool read(RecordedScan& out) override { return read_until(out, kNoDeadline_s) == Arrival::kScan; }
+
+  Arrival read_until(RecordedScan& out, double deadline_s) override {
     for (;;) {
       while (cursor_.num_left() > 0) {
-        if (try_chunk_record(out)) return true;
+        if (try_chunk_record(out)) return Arrival::kScan;
       }
+      if (!has_record(deadline_s)) return Arrival::kNothingYet;
       if (!next_record()) break;
-      if (take_record(out)) return true;
+      if (take_record(out)) return Arrival::kScan;
     }
-    if (inventory_.is_complete()) return false;
+    if (inventory_.is_complete()) return Arrival::kEnd;
     throw InputError(name_ + ": is not finished: it ends after " + std::to_string(counts_.num_scans) +
                      " scans without its index (cut off, or its recorder was killed)");
   }
@@ -112,6 +115,21 @@ class BagSource final : public ScanSource {
       fail("claims " + std::to_string(length) + " bytes, more than " + std::to_string(most));
     }
     return pieces_.read(piece, length);
+  }
+
+  /// Whether next_record() would not wait, or does not before `deadline_s`.
+  bool has_record(double deadline_s) {
+    if (is_over_) return true;
+    std::uint64_t num_bytes = 0;
+    for (const std::uint64_t most : {std::uint64_t{kMostHeader}, std::uint64_t{kMostUnpacked}}) {
+      if (!pieces_.has(num_bytes + 4, deadline_s)) return false;
+      ByteCursor cursor(pieces_.ahead());
+      cursor.take(num_bytes);
+      const auto length = cursor.number<std::uint32_t>();
+      if (!cursor.ok() || length > most) return true;  // torn, or refused
+      num_bytes += 4 + length;
+    }
+    return pieces_.has(num_bytes, deadline_s);
   }
 
   /// Reads the next record of the file; false at the end. What there is of a torn one stays in data_.

@@ -2,6 +2,7 @@
 #include "hw/recording/byte_stream.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <system_error>
@@ -17,6 +19,7 @@
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
+#include "hw/serial/steady_clock.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -39,6 +42,18 @@ class FileBytes final : public ByteStream {
       if (num_read >= 0) return static_cast<std::size_t>(num_read);
       if (errno == EINTR) continue;
       throw SensorFault(SensorFault::Kind::kDisconnected, name_ + ": reading failed: " + reason(errno));
+    }
+  }
+
+  /// A file on a disk is always ready.
+  bool wait_until(double deadline_s) override {
+    pollfd polled = {descriptor_, POLLIN, 0};
+    for (;;) {
+      const double left_s = std::clamp(deadline_s - steady_now_s(), 0.0, 3600.0);
+      const int num_ready = ::poll(&polled, 1, static_cast<int>(std::ceil(left_s * 1e3)));
+      if (num_ready > 0) return true;
+      if (num_ready < 0 && errno != EINTR) return true;  // the read that follows says what is wrong
+      if (steady_now_s() >= deadline_s) return false;
     }
   }
 
@@ -87,6 +102,9 @@ class UnpackedBytes final : public ByteStream {
   ~UnpackedBytes() override { inflateEnd(&zlib_); }
 
   std::size_t read(std::span<char> out) override { return packed_ ? inflate_into(out) : copy_into(out); }
+  bool wait_until(double deadline_s) override {
+    return num_input_ > 0 || done_ || source_->wait_until(deadline_s);
+  }
   StreamEnd end() const override { return end_; }
 
  private:

@@ -33,6 +33,11 @@ class ByteStream {
   /// @throws SensorFault of kind kDisconnected where the operating system fails to read.
   virtual std::size_t read(std::span<char> out) = 0;
 
+  /// Waits until read() has something to give or the stream is at its end, but no longer than to `deadline_s`
+  /// of steady_now_s(): false where neither has come by then. Of a packed stream it says that there is
+  /// something to unpack. Streams whose bytes are all there never wait.
+  virtual bool wait_until(double /*deadline_s*/) { return true; }
+
   /// How the stream ended, once read() has returned 0.
   virtual StreamEnd end() const { return StreamEnd::kClean; }
 };

@@ -60,13 +60,16 @@ class McapSource final : public ScanSource {
     crc_ = mcap_crc(0, magic);
   }
 
-  bool read(RecordedScan& out) override {
+  bool read(RecordedScan& out) override { return read_until(out, kNoDeadline_s) == Arrival::kScan; }
+
+  Arrival read_until(RecordedScan& out, double deadline_s) override {
     for (;;) {
       while (chunk_records_.num_left() > 0) {
-        if (try_chunk_record(out)) return true;
+        if (try_chunk_record(out)) return Arrival::kScan;
       }
+      if (!has_record(deadline_s)) return Arrival::kNothingYet;
       if (!next_record()) break;
-      if (take_record(out)) return true;
+      if (take_record(out)) return Arrival::kScan;
     }
     if (has_footer_) skip_rest();
     need_clean_end(pieces_.end(), name_, counts_.num_scans);
@@ -75,7 +78,7 @@ class McapSource final : public ScanSource {
                        " scans without its index (cut off, or its recorder was killed)");
     }
     if (is_crc_wrong_) throw InputError(name_ + ": is damaged: the checksum over all its data does not fit");
-    return false;
+    return Arrival::kEnd;
   }
 
  private:
@@ -86,6 +89,17 @@ class McapSource final : public ScanSource {
   void damaged(const std::string& what) {
     ++counts_.num_damaged_lines;
     if (report_) report_(name_ + ": record at byte " + std::to_string(record_at_) + " skipped: " + what);
+  }
+
+  /// Whether next_record() would not wait, or does not before `deadline_s`.
+  bool has_record(double deadline_s) {
+    if (has_footer_) return true;
+    if (!pieces_.has(kMcapPrefix, deadline_s)) return false;
+    ByteCursor cursor(pieces_.ahead());
+    cursor.number<std::uint8_t>();
+    const auto length = cursor.number<std::uint64_t>();
+    const bool is_refused = !cursor.ok() || length > kMostRecord;
+    return is_refused || pieces_.has(kMcapPrefix + length, deadline_s);
   }
 
   /// Reads the next record of the file into op_ and content_; false at the end or in a torn record.

@@ -25,20 +25,31 @@
 namespace scanbed::hw {
 namespace {
 
-/// A stream whose beginning can be looked at before it is read.
+/// What the head of a packed file unpacks to, or the head itself.
+std::string unpacked_head(const std::string& head) {
+  const std::unique_ptr<ByteStream> stream = unpack(from_memory(head));
+  std::string unpacked(std::size_t{1} << 16, '\0');
+  unpacked.resize(stream->read(unpacked));
+  return unpacked;
+}
+
+/// A stream that is looked into before it is read: no farther than until its format shows, since what is
+/// behind may be long in coming.
 class PeekedBytes final : public ByteStream {
  public:
   explicit PeekedBytes(std::unique_ptr<ByteStream> source) : source_(std::move(source)) {
     constexpr std::size_t kHead = 4096;
     std::string piece(kHead, '\0');
-    while (head_.size() < kHead) {
+    while (!format_ && head_.size() < kHead) {
       const std::size_t num_read = source_->read(std::span(piece).first(kHead - head_.size()));
       if (num_read == 0) break;
       head_.append(piece, 0, num_read);
+      format_ = format_of_content(unpacked_head(head_));
     }
   }
 
-  const std::string& head() const { return head_; }
+  /// Empty where the content does not tell.
+  std::optional<RecordingFormat> format() const { return format_; }
 
   std::size_t read(std::span<char> out) override {
     if (position_ == head_.size()) return source_->read(out);
@@ -48,21 +59,18 @@ class PeekedBytes final : public ByteStream {
     return num_read;
   }
 
+  bool wait_until(double deadline_s) override {
+    return position_ < head_.size() || source_->wait_until(deadline_s);
+  }
+
   StreamEnd end() const override { return source_->end(); }
 
  private:
   std::unique_ptr<ByteStream> source_;
   std::string head_;
+  std::optional<RecordingFormat> format_;
   std::size_t position_ = 0;
 };
-
-/// What the head of a packed file unpacks to, or the head itself.
-std::string unpacked_head(const std::string& head) {
-  const std::unique_ptr<ByteStream> stream = unpack(from_memory(head));
-  std::string unpacked(std::size_t{1} << 16, '\0');
-  unpacked.resize(stream->read(unpacked));
-  return unpacked;
-}
 
 }  // namespace
 
@@ -79,7 +87,7 @@ std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, co
                                            const RecordingOptions& options, DamageReport report) {
   options.validate();
   auto peeked = std::make_unique<PeekedBytes>(std::move(bytes));
-  std::optional<RecordingFormat> format = format_of_content(unpacked_head(peeked->head()));
+  std::optional<RecordingFormat> format = peeked->format();
   if (!format) format = format_of_name(name);
   std::unique_ptr<ScanSource> source;
   switch (format.value_or(RecordingFormat::kCarmen)) {

@@ -26,7 +26,8 @@ using DamageReport = std::function<void(const std::string&)>;
 
 /// A recording as a sensor: its scans in the order of the file, or of time where its format promises no
 /// order (see time_order.hpp), numbered from 0. The first one is read ahead,
-/// so that geometry() is known. It never waits (see PacedReplay), and its memory does not grow with the file.
+/// so that geometry() is known. It waits for nothing but bytes that are still to arrive (see PacedReplay),
+/// and its memory does not grow with the file.
 class ScanReader : public RangeSensor {
  public:
   /// Of what was read so far: one scan more than next() gave until its first call.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/detect/features.hpp"
@@ -30,6 +31,17 @@ class ScanSource {
   /// @throws InputError where the recording cannot be read on (cut off, damaged).
   /// @throws SensorFault where the operating system fails to read.
   virtual bool read(RecordedScan& out) = 0;
+
+  static constexpr double kNoDeadline_s = std::numeric_limits<double>::infinity();
+
+  /// How a wait for the next scan came out.
+  enum class Arrival { kScan, kEnd, kNothingYet };
+
+  /// read() that waits no longer than to `deadline_s` of steady_now_s() for a scan that is still to arrive.
+  /// Sources that do not say otherwise wait as long as it takes, as without a deadline.
+  virtual Arrival read_until(RecordedScan& out, double /*deadline_s*/) {
+    return read(out) ? Arrival::kScan : Arrival::kEnd;
+  }
 
   const RecordingCounts& counts() const { return counts_; }
   const RecordingMetadata& metadata() const { return metadata_; }

@@ -8,14 +8,18 @@
 #include <utility>
 #include <vector>
 
+#include "hw/serial/steady_clock.hpp"
+
 namespace scanbed::hw {
 namespace {
 
 constexpr std::size_t kMostHeld = 4096;
+constexpr double kPatience_s = 0.1;
 
 struct Held {
   RecordedScan scan;
   std::int64_t number = 0;  // in the source
+  double arrival_s = 0.0;   // by steady_now_s()
 };
 
 bool is_later(const Held& a, const Held& b) {
@@ -28,7 +32,7 @@ class TimeOrder final : public ScanSource {
       : source_(std::move(source)), name_(std::move(name)), report_(std::move(report)) {}
 
   bool read(RecordedScan& out) override {
-    while (!is_over_ && held_.size() < kMostHeld) hold_next();
+    while (!is_over_ && held_.size() < kMostHeld && hold_next()) continue;
     if (held_.empty()) {
       if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
       return false;
@@ -42,29 +46,33 @@ class TimeOrder final : public ScanSource {
   }
 
  private:
-  void hold_next() {
+  /// False where the scan that is the next to be given has been held for long enough and none has come
+  /// meanwhile.
+  bool hold_next() {
+    const double deadline_s = held_.empty() ? kNoDeadline_s : held_.front().arrival_s + kPatience_s;
+    Arrival arrival = Arrival::kEnd;
     try {
-      is_over_ = !source_->read(spare_);
+      arrival = source_->read_until(spare_, deadline_s);
     } catch (const std::exception&) {
       failure_ = std::current_exception();
-      is_over_ = true;
     }
     counts_ = source_->counts();
     metadata_ = source_->metadata();
-    if (is_over_) {
-      left_out_ = source_->left_out();
-      return;
-    }
-    held_.push_back({std::move(spare_), num_read_++});
+    is_over_ = arrival == Arrival::kEnd;
+    if (is_over_) left_out_ = source_->left_out();
+    is_live_ = is_live_ || arrival == Arrival::kNothingYet;
+    if (arrival != Arrival::kScan) return false;
+    held_.push_back({std::move(spare_), num_read_++, steady_now_s()});
     std::push_heap(held_.begin(), held_.end(), is_later);
+    return true;
   }
 
   void report_if_late(double time_s) {
     const bool is_late = time_s < last_s_;
     if (is_late && !std::exchange(has_reported_, true) && report_) {
-      report_(name_ + ": a scan of " + std::to_string(time_s) + " s stands more than " +
-              std::to_string(kMostHeld) +
-              " scans behind a later one; such scans are given out of the order of time");
+      const std::string distance = std::to_string(kMostHeld) + " scans" + (is_live_ ? ", or 0.1 s," : "");
+      report_(name_ + ": a scan of " + std::to_string(time_s) + " s stands more than " + distance +
+              " behind a later one; such scans are given out of the order of time");
     }
     last_s_ = std::max(last_s_, time_s);
   }
@@ -76,6 +84,7 @@ class TimeOrder final : public ScanSource {
   RecordedScan spare_;      // storage for the next scan
   std::int64_t num_read_ = 0;
   bool is_over_ = false;
+  bool is_live_ = false;  // scans had to be waited for
   std::exception_ptr failure_;
   double last_s_ = -std::numeric_limits<double>::infinity();  // the latest given
   bool has_reported_ = false;

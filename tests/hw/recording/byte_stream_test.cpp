@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hw/recording/byte_stream.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,6 +11,8 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "hw/serial/steady_clock.hpp"
+#include "tests/hw/recording/late_parts.hpp"
 #include "tests/support/gzip.hpp"
 
 namespace scanbed::hw {
@@ -24,6 +27,12 @@ std::string drain(ByteStream& bytes, std::size_t step = 1000) {
   while (const std::size_t num_read = bytes.read(block)) all.append(block, 0, num_read);
   EXPECT_EQ(bytes.read(block), 0U) << "the end must stay the end";
   return all;
+}
+
+std::string drain_some(ByteStream& bytes, std::size_t num_bytes) {
+  std::string block(num_bytes, '\0');
+  block.resize(bytes.read(block));
+  return block;
 }
 
 /// Gives one byte at a time, as a slow pipe does.
@@ -144,6 +153,41 @@ TEST(UnpackTest, SaysThatDataIsDamaged) {
   const auto garbage = unpack(from_memory(gzip(text) + "garbage"));
   EXPECT_EQ(drain(*garbage), text);
   EXPECT_EQ(garbage->end(), StreamEnd::kDamaged);
+}
+
+// A pipe's writer may be slow; a file is all there.
+TEST(ByteStreamTest, WaitsForAPipeNoLongerThanIsAllowed) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+  const auto bytes = open_file("/proc/self/fd/" + std::to_string(pipe[0]));
+  ::close(pipe[0]);
+  const double before_s = steady_now_s();
+  EXPECT_FALSE(bytes->wait_until(before_s + 0.02));
+  EXPECT_GE(steady_now_s(), before_s + 0.02);
+  EXPECT_FALSE(bytes->wait_until(before_s));
+  ASSERT_EQ(::write(pipe[1], "abc", 3), 3);
+  EXPECT_TRUE(bytes->wait_until(before_s));
+  EXPECT_EQ(drain_some(*bytes, 3), "abc");
+  EXPECT_FALSE(bytes->wait_until(before_s));
+  ::close(pipe[1]);
+  EXPECT_TRUE(bytes->wait_until(before_s)) << "the end has come";
+}
+
+TEST(ByteStreamTest, NeverWaitsForWhatIsThere) {
+  const TemporaryFile file("ab");
+  EXPECT_TRUE(open_file(file.path())->wait_until(0.0));
+  EXPECT_TRUE(from_memory("")->wait_until(0.0));
+}
+
+TEST(ByteStreamTest, WhatIsUnpackedHasArrivedWithItsBytes) {
+  std::size_t num_arrived = 0;
+  const auto plain = unpack(std::make_unique<LateParts>(std::vector<std::string>{"abc", "d"}, num_arrived));
+  EXPECT_TRUE(plain->wait_until(0.0));
+  EXPECT_EQ(drain_some(*plain, 3), "abc");
+  EXPECT_FALSE(plain->wait_until(0.0));
+  EXPECT_EQ(drain(*plain), "d");
+  EXPECT_TRUE(plain->wait_until(0.0));
+  EXPECT_TRUE(unpack(from_memory(gzip("abc")))->wait_until(0.0));
 }
 
 }  // namespace

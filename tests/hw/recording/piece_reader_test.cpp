@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "tests/hw/recording/late_parts.hpp"
+
 namespace scanbed::hw {
 namespace {
 
@@ -35,6 +39,29 @@ TEST(PieceReaderTest, PiecesMayBeLong) {
   std::string piece;
   EXPECT_TRUE(pieces.read(piece, text.size()));
   EXPECT_EQ(piece, text);
+}
+
+TEST(PieceReaderTest, TellsWhatHasArrivedWithoutTakingIt) {
+  std::size_t num_arrived = 0;
+  PieceReader pieces(std::make_unique<LateParts>(std::vector<std::string>{"abc", "defg"}, num_arrived));
+  EXPECT_FALSE(pieces.has(1, 0.0));
+  std::string piece;
+  EXPECT_TRUE(pieces.read(piece, 1));
+  EXPECT_TRUE(pieces.has(2, 0.0));
+  EXPECT_EQ(pieces.ahead(), "bc");
+  EXPECT_FALSE(pieces.has(4, 0.0));
+  EXPECT_EQ(num_arrived, 1U);
+  EXPECT_EQ(pieces.offset(), 1U);
+  EXPECT_TRUE(pieces.has(4, std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(num_arrived, 1U) << "who may wait for ever need not look ahead";
+  EXPECT_TRUE(pieces.read(piece, 4));
+  EXPECT_EQ(piece, "bcde");
+  EXPECT_EQ(num_arrived, 2U);
+  EXPECT_FALSE(pieces.has(3, 0.0)) << "the end has not come";
+  EXPECT_FALSE(pieces.read(piece, 3));
+  EXPECT_EQ(piece, "fg");
+  EXPECT_TRUE(pieces.has(3, 0.0)) << "nothing more will come";
+  EXPECT_EQ(pieces.offset(), 7U);
 }
 
 }  // namespace
