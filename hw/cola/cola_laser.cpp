@@ -111,7 +111,8 @@ void stream(ColaClient& client, const RecoveringLaser::Give& give) {
       continue;
     }
     num_damaged = 0;
-    scan.time_s = clock.to_local_s(telegram->start_us, steady_now_s());
+    // It cannot have arrived before it was sent.
+    scan.time_s = clock.to_local_s(telegram->start_us, steady_now_s() - telegram->age_s());
     if (telegram->frequency_chz > 0) silence_s = 1.0 + 3.0 * std::min(10.0, 100.0 / telegram->frequency_chz);
     give(scan);
   }

@@ -63,11 +63,10 @@ bool read_head(ColaTokens& tokens, ColaScan& scan) {
   if ((kind != "sSN" && kind != "sRA") || tokens.next() != "LMDscandata") return false;
   // Version, device and serial number; first status byte.
   if (!skip(tokens, 4) || !read(tokens, scan.status)) return false;
-  if (!read(tokens, scan.telegram_count) || !read(tokens, scan.scan_count) || !read(tokens, scan.start_us)) {
-    return false;
-  }
-  // Time of transmission, two input and two output bytes, one reserved.
-  if (!skip(tokens, 6) || !read(tokens, scan.frequency_chz) || !skip(tokens, 1)) return false;
+  if (!read(tokens, scan.telegram_count) || !read(tokens, scan.scan_count)) return false;
+  if (!read(tokens, scan.start_us) || !read(tokens, scan.sent_us)) return false;
+  // Two input and two output bytes, one reserved.
+  if (!skip(tokens, 5) || !read(tokens, scan.frequency_chz) || !skip(tokens, 1)) return false;
   std::uint32_t num_encoders = 0;
   return read(tokens, num_encoders) && num_encoders <= 3 && skip(tokens, static_cast<int>(2 * num_encoders));
 }
@@ -95,6 +94,11 @@ ScanGeometry geometry_of(const ColaScan& telegram, const ColaChannel& channel) {
 }
 
 }  // namespace
+
+double ColaScan::age_s() const {
+  const double age_s = 1e-6 * (sent_us - start_us);  // modulo 2^32, as the counter
+  return age_s <= 1.0 ? age_s : 0.0;
+}
 
 std::optional<ColaScan> parse_cola_scan(std::string_view body) {
   ColaTokens tokens(body);

@@ -27,8 +27,13 @@ struct ColaScan {
   std::uint32_t telegram_count = 0;
   std::uint32_t scan_count = 0;
   std::uint32_t start_us = 0;       ///< since power-up, of the scan's start; wraps
+  std::uint32_t sent_us = 0;        ///< by the same counter, of the telegram's transmission
   std::uint32_t frequency_chz = 0;  ///< hundredths of a hertz
   std::vector<ColaChannel> channels;
+
+  /// From the scan's start to the telegram's transmission: a real TiM takes 4 ms. 0 where the telegram does
+  /// not tell, that is, where it would be more than a second.
+  double age_s() const;
 };
 
 /// Reads "sSN LMDscandata ..." or "sRA LMDscandata ...". What stands behind the channels is not looked at,

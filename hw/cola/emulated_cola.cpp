@@ -10,6 +10,7 @@ namespace scanbed::hw {
 namespace {
 
 constexpr RangeSensor::Seconds kPatience{1.0};
+constexpr double kScanAge_s = 0.004;  // of a TiM's scan when its telegram is sent
 constexpr const char* kAccessDenied = "sFA A";
 constexpr const char* kUnknownMethod = "sFA 2";
 constexpr const char* kUnknownVariable = "sFA 3";
@@ -102,10 +103,11 @@ std::string EmulatedCola::scan_text(std::string_view kind, double now_s) {
   const auto num_values = static_cast<std::uint32_t>(
       (options_.last_angle - options_.first_angle) / static_cast<std::int32_t>(options_.step) + 1);
   std::string text(kind);
-  text += " LMDscandata 1 1 107375C 0 0 " + count + " " + count + " " + to_cola_hex(wrapped_us(now_s)) + " " +
-          to_cola_hex(wrapped_us(now_s + 0.004)) + " 0 0 8 0 0 " + to_cola_hex(frequency) +
-          " 168 0 1 DIST1 " + to_cola_hex(1.0F) + " 00000000 " + to_cola_hex_signed(options_.first_angle) +
-          " " + to_cola_hex(options_.step) + " " + to_cola_hex(num_values);
+  text += " LMDscandata 1 1 107375C 0 0 " + count + " " + count + " " +
+          to_cola_hex(wrapped_us(now_s - kScanAge_s)) + " " + to_cola_hex(wrapped_us(now_s)) + " 0 0 8 0 0 " +
+          to_cola_hex(frequency) + " 168 0 1 DIST1 " + to_cola_hex(1.0F) + " 00000000 " +
+          to_cola_hex_signed(options_.first_angle) + " " + to_cola_hex(options_.step) + " " +
+          to_cola_hex(num_values);
   for (std::uint32_t i = 0; i < num_values; ++i) {
     const double angle_deg = (options_.first_angle + static_cast<double>(i) * options_.step) / 10000.0;
     const double beam =

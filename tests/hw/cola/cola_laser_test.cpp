@@ -7,6 +7,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "hw/cola/emulated_cola.hpp"
+#include "hw/serial/steady_clock.hpp"
 #include "tests/support/running_device.hpp"
 #include "tests/support/wide_sensor.hpp"
 
@@ -55,6 +56,23 @@ TEST(ColaLaserTest, StreamsFromATim) {
   RunningDevice running(sensor);
   const auto laser = open_cola(network(running.port()));
   expect_true_scans(*laser, 20, 271);
+}
+
+// The emulated sensor sends a scan 4 ms after its start, as a TiM does: it cannot be younger when it is here.
+TEST(ColaLaserTest, TimesAreThoseOfTheMeasurement) {
+  WideSensor source;
+  EmulatedCola sensor({.num_spin_up_polls = 0}, source);
+  RunningDevice running(sensor);
+  const double before_s = steady_now_s();
+  const auto laser = open_cola(network(running.port()));
+  LaserScan scan;
+  double last_s = before_s - 0.004;
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_TRUE(laser->next(scan, kPatience));
+    EXPECT_LE(scan.time_s, steady_now_s() - 0.004);
+    EXPECT_GE(scan.time_s, last_s);
+    last_s = scan.time_s;
+  }
 }
 
 TEST(ColaLaserTest, ConnectsAgainWhereTheSensorWentAway) {

@@ -16,6 +16,7 @@ TEST(ColaScanTest, ReadsATelegramOfATim551) {
   const auto telegram = parse_cola_scan(kTim551);
   ASSERT_TRUE(telegram.has_value());
   EXPECT_EQ(telegram->start_us, 7754u);
+  EXPECT_EQ(telegram->sent_us, 12754u);
   EXPECT_EQ(telegram->frequency_chz, 1500u);
   ASSERT_EQ(telegram->channels.size(), 1u);
   LaserScan scan;
@@ -53,6 +54,17 @@ TEST(ColaScanTest, ReadsEncodersAndTwoChannelsOf16Bits) {
 
 std::string telegram_of(const std::string& status, const std::string& channel) {
   return "sSN LMDscandata 1 1 1 0 " + status + " 1 1 0 0 0 0 0 0 0 1388 168 0 1 " + channel + " 0 0 0 0 0 0";
+}
+
+TEST(ColaScanTest, AgeIsFromTheStartOfTheScanToItsTransmission) {
+  // As printed by a real TiM: 79080660h - 7907F6FDh.
+  EXPECT_NEAR((ColaScan{.start_us = 0x7907F6FD, .sent_us = 0x79080660}).age_s(), 3939e-6, 1e-12);
+  EXPECT_NEAR((ColaScan{.start_us = 0xFFFFFF00, .sent_us = 0x00000100}).age_s(), 512e-6, 1e-12);
+  EXPECT_EQ((ColaScan{.start_us = 7, .sent_us = 7}).age_s(), 0.0);
+  EXPECT_EQ((ColaScan{.start_us = 7, .sent_us = 1'000'007}).age_s(), 1.0);
+  // Sensors that do not tell.
+  EXPECT_EQ((ColaScan{.start_us = 7754, .sent_us = 0}).age_s(), 0.0);
+  EXPECT_EQ((ColaScan{.start_us = 7754, .sent_us = 7753}).age_s(), 0.0);
 }
 
 TEST(ColaScanTest, ScalesAndLeavesCodesOut) {

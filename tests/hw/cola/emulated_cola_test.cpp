@@ -69,7 +69,8 @@ TEST_F(EmulatedColaTest, ItsScansAreThoseOfItsSource) {
   ASSERT_TRUE(telegram.has_value());
   EXPECT_EQ(telegram->channels.at(0).values.size(), 541u);
   EXPECT_EQ(telegram->channels.at(0).values[0], 1180u);  // -135 degrees is beam 180 of the source
-  EXPECT_EQ(telegram->start_us, 10000000u);
+  EXPECT_EQ(telegram->sent_us, 10000000u);
+  EXPECT_EQ(telegram->start_us, 9996000u);
 }
 
 }  // namespace
