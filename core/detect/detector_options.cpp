@@ -20,6 +20,7 @@ void SegmentationOptions::validate() const {
 }
 
 void CircleOptions::validate() const {
+  require_choice(method, "circle.method", kCircleMethodWords);
   require(max_std_rad > 0.0 && max_std_rad <= kMaxArcLikeStd_rad, "circle.max_std_rad", max_std_rad,
           "(0, 0.402]");
   require(min_average_rad > 0.0 && min_average_rad < kPi, "circle.min_average_rad", min_average_rad,
@@ -34,6 +35,7 @@ void CircleOptions::validate() const {
 }
 
 void LineOptions::validate() const {
+  require_choice(method, "line.method", kLineMethodWords);
   require(min_length_m >= 0.0 && min_length_m <= 100.0, "line.min_length_m", min_length_m, "[0, 100]");
   require(min_points >= 2 && min_points <= 10000, "line.min_points", min_points, "[2, 10000]");
   require(max_error_m > 0.0 && max_error_m <= 10.0, "line.max_error_m", max_error_m, "(0, 10]");
@@ -43,6 +45,7 @@ void LineOptions::validate() const {
 }
 
 void LegOptions::validate() const {
+  require_choice(scorer, "leg.scorer", kLegScorerWords);
   require(min_score >= 0.0 && min_score <= 1.0, "leg.min_score", min_score, "[0, 1]");
   require(min_doubtful_score >= 0.0 && min_doubtful_score <= 1.0, "leg.min_doubtful_score",
           min_doubtful_score, "[0, 1]");
@@ -54,6 +57,7 @@ void LegOptions::validate() const {
 }
 
 void DetectorOptions::validate() const {
+  require_choice(pipeline, "pipeline", kPipelineWords);
   segmentation.validate();
   circle.validate();
   line.validate();

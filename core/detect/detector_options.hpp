@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/detect/robust/surface_options.hpp"
 #include "core/geometry/angles.hpp"
@@ -16,6 +18,9 @@ struct SegmentationOptions {
 };
 
 enum class CircleMethod { kOff, kInscribedAngle };
+
+/// In the order of the values.
+inline constexpr std::array<std::string_view, 2> kCircleMethodWords = {"off", "inscribed_angle"};
 
 /// Circles by inscribed angle variance (paper, II-B to II-D).
 struct CircleOptions {
@@ -37,6 +42,10 @@ struct CircleOptions {
 
 enum class LineMethod { kOff, kRecursiveFit, kInscribedAngle };
 
+/// In the order of the values.
+inline constexpr std::array<std::string_view, 3> kLineMethodWords = {"off", "recursive_fit",
+                                                                     "inscribed_angle"};
+
 /// Lines by recursive fitting (paper, II-F) or by inscribed angles of 180 degrees (II-B.1).
 struct LineOptions {
   LineMethod method = LineMethod::kRecursiveFit;
@@ -53,6 +62,9 @@ enum class LegScorer {
   kRules,   ///< size and shape (paper, II-E)
   kForest,  ///< a trained forest that sees the surroundings too
 };
+
+/// In the order of the values.
+inline constexpr std::array<std::string_view, 2> kLegScorerWords = {"rules", "forest"};
 
 /// Legs. All but the first three belong to the rules.
 struct LegOptions {
@@ -73,6 +85,9 @@ enum class Pipeline {
   kPaper,   ///< segments by a fixed gap, inscribed angles, recursive line fitting
   kRobust,  ///< surfaces by a gap that follows the sensor, lines and arcs compared by chi squared
 };
+
+/// In the order of the values.
+inline constexpr std::array<std::string_view, 2> kPipelineWords = {"paper", "robust"};
 
 /// All options of the detection pipeline. The robust pipeline takes from circle and line whether they are on,
 /// how many points and which length they need.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/errors/input_error.hpp"
 
+#include <iterator>
 #include <sstream>
 
 namespace scanbed {
@@ -10,6 +11,16 @@ void require(bool holds, std::string_view name, double value, std::string_view a
   std::ostringstream message;
   message << name << ": value " << value << " is out of range; allowed: " << allowed;
   throw InputError(message.str());
+}
+
+void require_word(std::int64_t number, std::string_view name, std::span<const std::string_view> words) {
+  if (number >= 0 && number < std::ssize(words)) return;
+  std::string allowed;
+  for (const std::string_view word : words) {
+    if (!allowed.empty()) allowed += ", ";
+    allowed += word;
+  }
+  require(false, name, static_cast<double>(number), allowed);
 }
 
 }  // namespace scanbed

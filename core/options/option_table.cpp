@@ -40,12 +40,6 @@ Option row(std::string_view path, std::string_view effect, OptionReader reader =
           }};
 }
 
-constexpr std::array<std::string_view, 2> kPipelines = {"paper", "robust"};
-constexpr std::array<std::string_view, 2> kCircleMethods = {"off", "inscribed_angle"};
-constexpr std::array<std::string_view, 3> kLineMethods = {"off", "recursive_fit", "inscribed_angle"};
-constexpr std::array<std::string_view, 2> kLegScorers = {"rules", "forest"};
-constexpr std::array<std::string_view, 4> kMotionSources = {"auto", "scans", "odometry", "still"};
-
 template <auto kMember>
 Option segmentation(std::string_view path, std::string_view effect) {
   return row<&All::detector, &DetectorOptions::segmentation, kMember>(path, effect, kSegments);
@@ -83,14 +77,14 @@ Option track(std::string_view path, std::string_view effect) {
 
 const std::array kTable = {
     row<&All::detector, &DetectorOptions::pipeline>(
-        "pipeline", "the paper's detectors, or lines and circles by comparing models", kBoth, kPipelines),
+        "pipeline", "the paper's detectors, or lines and circles by comparing models", kBoth, kPipelineWords),
 
     segmentation<&SegmentationOptions::max_gap_m>(
         "segmentation.max_gap_m", "neighbouring points farther apart belong to different segments"),
     segmentation<&SegmentationOptions::min_points>("segmentation.min_points", "smaller segments are dropped"),
 
     row<&All::detector, &DetectorOptions::circle, &CircleOptions::method>(
-        "circle.method", "off, or on by any other word in the robust pipeline", kBoth, kCircleMethods),
+        "circle.method", "off, or on by any other word in the robust pipeline", kBoth, kCircleMethodWords),
     circle<&CircleOptions::min_points>("circle.min_points", "fewer points make no circle", kBoth),
     circle<&CircleOptions::max_std_rad>(
         "circle.max_std_rad", "of the inscribed angles; above 0.15 also arc-like shapes are circles"),
@@ -108,7 +102,7 @@ const std::array kTable = {
     circle<&CircleOptions::in_lines>("circle.in_lines", "look for arcs in what the lines leave over"),
 
     row<&All::detector, &DetectorOptions::line, &LineOptions::method>(
-        "line.method", "off, or on by any other word in the robust pipeline", kBoth, kLineMethods),
+        "line.method", "off, or on by any other word in the robust pipeline", kBoth, kLineMethodWords),
     line<&LineOptions::min_points>("line.min_points", "fewer points make no line", kBoth),
     line<&LineOptions::min_length_m>("line.min_length_m", "shorter lines are not reported", kBoth),
     line<&LineOptions::max_error_m>("line.max_error_m",
@@ -120,7 +114,7 @@ const std::array kTable = {
     leg<&LegOptions::enabled>("leg.enabled", "look for legs", kBoth),
     row<&All::detector, &DetectorOptions::leg, &LegOptions::scorer>(
         "leg.scorer", "tells legs by rules of size and shape, or by a forest that sees the surroundings too",
-        kBoth, kLegScorers),
+        kBoth, kLegScorerWords),
     leg<&LegOptions::min_score>("leg.min_score", "legs of a lower score are not reported ...", kBoth),
     leg<&LegOptions::min_doubtful_score>("leg.min_doubtful_score",
                                          "... but tracking may follow them from this one on; 1: none", kBoth),
@@ -194,7 +188,7 @@ const std::array kTable = {
                                                          "thicker round things are columns"),
 
     row<&All::track, &TrackOptions::motion>("track.motion", "where the sensor's own motion is taken from",
-                                            kBoth, kMotionSources),
+                                            kBoth, kMotionSourceWords),
     track<&TrackOptions::gate_m>("track.gate_m",
                                  "a feature farther from where a track is expected is not its own"),
     track<&TrackOptions::gate_speed_m_per_s>("track.gate_speed_m_per_s",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/detect/points.hpp"
 #include "core/geometry/pose2.hpp"
@@ -17,6 +19,9 @@ enum class MotionSource {
   kOdometry,  ///< odometry alone; a source without it counts as standing still
   kStill,     ///< the sensor stands still
 };
+
+/// In the order of the values.
+inline constexpr std::array<std::string_view, 4> kMotionSourceWords = {"auto", "scans", "odometry", "still"};
 
 /// Follows the sensor through a world frame W that is the sensor's own at the first scan. Scans are compared
 /// with a reference scan that changes only when the sensor has moved on, so that a sensor that stands does

@@ -50,6 +50,7 @@ void validate_cylinders(const TrackOptions& o) {
 }  // namespace
 
 void TrackOptions::validate() const {
+  require_choice(motion, "track.motion", kMotionSourceWords);
   validate_gates(*this);
   validate_evidence(*this);
   validate_cylinders(*this);

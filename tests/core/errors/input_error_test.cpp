@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace scanbed {
@@ -19,6 +20,23 @@ TEST(InputErrorTest, RequireNamesParameterValueAndAllowedRange) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "circle_std_max: value 3.5 is out of range; allowed: (0, 0.402] rad");
+  }
+}
+
+enum class Choice { kOff, kOn };
+
+TEST(InputErrorTest, AChoiceIsOneOfItsWords) {
+  constexpr std::array<std::string_view, 2> kWords = {"off", "on"};
+  EXPECT_NO_THROW(require_choice(Choice::kOff, "x", kWords));
+  EXPECT_NO_THROW(require_choice(Choice::kOn, "x", kWords));
+  for (const int number : {-1, 2, 99}) {
+    try {
+      require_choice(static_cast<Choice>(number), "x", kWords);
+      FAIL() << "accepts " << number;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "x: value " + std::to_string(number) + " is out of range; allowed: off, on");
+    }
   }
 }
 

@@ -46,7 +46,7 @@ TEST(OptionTableTest, EachOptionChangesAFieldOfItsOwn) {
 // The names in the table are those of the errors: a value that no option allows is refused by its name.
 TEST(OptionTableTest, ValidationKnowsTheSameNames) {
   for (const Option& option : option_table()) {
-    if (option.kind == OptionKind::kFlag || option.kind == OptionKind::kChoice) continue;
+    if (option.kind == OptionKind::kFlag) continue;
     AnalysisOptions options = robust();
     option.set(options, -1e6);
     try {
@@ -55,6 +55,20 @@ TEST(OptionTableTest, ValidationKnowsTheSameNames) {
     } catch (const InputError& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with(std::string(option.path) + ":")) << error.what();
     }
+  }
+}
+
+TEST(OptionTableTest, AChoiceIsAnyOfItsWordsAndNothingElse) {
+  for (const Option& option : option_table()) {
+    if (option.kind != OptionKind::kChoice) continue;
+    AnalysisOptions options = robust();
+    for (std::size_t i = 0; i < option.words.size(); ++i) {
+      option.set(options, static_cast<double>(i));
+      EXPECT_NO_THROW(options.validate()) << option.path;
+      EXPECT_EQ(option.text(options), option.words[i]);
+    }
+    option.set(options, static_cast<double>(option.words.size()));
+    EXPECT_THROW(options.validate(), InputError) << option.path;
   }
 }
 

@@ -19,6 +19,7 @@ TEST(TrackOptionsTest, DefaultsValidate) {
 TEST(TrackOptionsTest, EachBadFieldIsNamed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::string, std::function<void(TrackOptions&)>>> faults = {
+      {"track.motion", [](TrackOptions& o) { o.motion = static_cast<MotionSource>(4); }},
       {"track.gate_m", [](TrackOptions& o) { o.gate_m = 0.0; }},
       {"track.gate_speed_m_per_s", [](TrackOptions& o) { o.gate_speed_m_per_s = -1.0; }},
       {"track.max_gate_m", [](TrackOptions& o) { o.max_gate_m = 0.1; }},
