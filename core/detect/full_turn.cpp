@@ -12,16 +12,6 @@ namespace {
 constexpr int kMinBeams = 8;
 constexpr double kNothing_m = 1000.0;  // where a beam without echo ends, to compare it with others
 
-// How many beams make a turn; 0 where the scan has less than one. The last beam of some sensors points where
-// the first does.
-int beams_in_turn(const LaserScan& scan) {
-  const double turn = 2.0 * kPi / std::abs(scan.geometry.step_rad);
-  const int num_beams = scan.num_beams();
-  if (num_beams < kMinBeams || !std::isfinite(scan.geometry.first_rad)) return 0;
-  if (std::abs(num_beams - turn) < 0.5) return num_beams;
-  return std::abs(num_beams - 1 - turn) < 0.5 ? num_beams - 1 : 0;
-}
-
 // The beam behind the largest step of range.
 int beam_behind_largest_step(const LaserScan& scan, int num_beams) {
   const auto end_m = [&](int beam) { return scan.has_echo(beam) ? scan.range_m[beam] : kNothing_m; };
@@ -42,8 +32,16 @@ int beam_behind_largest_step(const LaserScan& scan, int num_beams) {
 
 }  // namespace
 
+int num_beams_in_turn(const LaserScan& scan) {
+  const double turn = 2.0 * kPi / std::abs(scan.geometry.step_rad);
+  const int num_beams = scan.num_beams();
+  if (num_beams < kMinBeams || !std::isfinite(scan.geometry.first_rad)) return 0;
+  if (std::abs(num_beams - turn) < 0.5) return num_beams;
+  return std::abs(num_beams - 1 - turn) < 0.5 ? num_beams - 1 : 0;
+}
+
 const LaserScan& FullTurn::unroll(const LaserScan& scan) {
-  num_beams_ = beams_in_turn(scan);
+  num_beams_ = num_beams_in_turn(scan);
   if (num_beams_ == 0) return scan;
   begin_ = beam_behind_largest_step(scan, num_beams_);
   // No line goes on through more than half a turn: of two views of one, one is whole.

@@ -9,6 +9,10 @@
 
 namespace scanbed {
 
+/// How many beams make a turn, where the scan goes all around: all, or all but the last, which in some
+/// sensors points where the first does. 0 where it has less than a turn, or fewer than 8 beams.
+int num_beams_in_turn(const LaserScan& scan);
+
 /// A scan all around has no first beam: where it happens to begin is a seam through whatever stands there.
 /// Unrolls such a scan from its largest step of range on, and a quarter of a turn beyond on both sides, so
 /// that whatever is found in the turn between has all its surroundings; and takes what was found back.

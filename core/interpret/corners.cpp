@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/interpret/piece_order.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -31,16 +33,15 @@ std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const
 
 }  // namespace
 
-void find_corners(const std::vector<Line>& lines, const ScanGeometry& geometry,
-                  const InterpretOptions& options, Scene& scene) {
+void find_corners(const std::vector<Line>& lines, const LaserScan& scan, const InterpretOptions& options,
+                  Scene& scene) {
   const int num_lines = static_cast<int>(lines.size());
-  const bool full_turn = std::abs(geometry.step_rad) * geometry.num_beams >= 2.0 * kPi - 1e-6;
+  const PieceOrder order(scan, num_lines);
   for (int i = 0; i < num_lines; ++i) {
-    const bool is_last = i + 1 == num_lines;
-    if (is_last && (!full_turn || num_lines < 3)) break;
-    const int k = is_last ? 0 : i + 1;
-    const int wrapped = is_last ? geometry.num_beams : 0;
-    if (lines[k].beams.first + wrapped - lines[i].beams.last > kMaxBeamsBetween + 1) continue;
+    if (order.num_after(i) == 0) continue;
+    const int k = order.after(i, 1);
+    const BeamSpan between = order.between(lines[i], lines[k]);
+    if (between.last - between.first + 1 > kMaxBeamsBetween) continue;
     const auto corner_m = meeting_point(lines[i], lines[k], options);
     if (!corner_m) continue;
     const Eigen::Vector2d into_walls =

@@ -6,15 +6,15 @@
 #include "core/detect/features.hpp"
 #include "core/interpret/interpret_options.hpp"
 #include "core/interpret/scene.hpp"
-#include "core/scan/scan_geometry.hpp"
+#include "core/scan/laser_scan.hpp"
 
 namespace scanbed {
 
 /// Appends the corners: where neighbouring pieces of walls meet. An inner corner opens towards the sensor, an
 /// outer one points at it.
 ///
-/// @param lines  rise in beams.first.
-void find_corners(const std::vector<Line>& lines, const ScanGeometry& geometry,
-                  const InterpretOptions& options, Scene& scene);
+/// @param lines  of the scan; they rise in beams.first.
+void find_corners(const std::vector<Line>& lines, const LaserScan& scan, const InterpretOptions& options,
+                  Scene& scene);
 
 }  // namespace scanbed

@@ -25,7 +25,8 @@ struct WallPlane {
 /// The line through both ends of a piece.
 WallPlane plane_through(const Line& line);
 
-/// @param beams  those inside the gap, both included; fewer than 3 say nothing.
+/// @param beams  those inside the gap, both included; fewer than 3 say nothing. In a scan all around they may
+///               go on behind the last one, with the first one again.
 GapView gap_view(const LaserScan& scan, const BeamSpan& beams, const WallPlane& plane);
 
 }  // namespace scanbed

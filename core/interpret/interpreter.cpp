@@ -25,7 +25,7 @@ const Scene& Interpreter::interpret(const LaserScan& scan, const Features& featu
                                     const std::vector<Track>& tracks) {
   scene_.clear();
   walls_.find(scan, features.lines, options_, scene_);
-  find_corners(features.lines, scan.geometry, options_, scene_);
+  find_corners(features.lines, scan, options_, scene_);
   judge_motions(features, tracks);
   rounds_.find({scan, features.circles, motions_}, options_, scene_);
   return scene_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/interpret/gap_view.hpp"
+#include "core/interpret/piece_order.hpp"
 
 namespace scanbed {
 namespace {
@@ -76,12 +77,14 @@ void WallGroups::find(const LaserScan& scan, const std::vector<Line>& lines, con
 void WallGroups::link(const LaserScan& scan, const std::vector<Line>& lines, const InterpretOptions& options,
                       Scene& scene) {
   const int num_lines = static_cast<int>(lines.size());
+  const PieceOrder order(scan, num_lines);
   for (int i = 0; i < num_lines; ++i) {
-    int k = i + 1;
-    while (k < num_lines && (is_later_[k] != 0 || !continues(lines[i], lines[k], options))) ++k;
-    if (k == num_lines) continue;
-    const BeamSpan inside{lines[i].beams.last + 1, lines[k].beams.first - 1};
-    const GapView view = gap_view(scan, inside, plane_through(lines[i]));
+    const auto is_next = [&](int k) { return is_later_[k] == 0 && continues(lines[i], lines[k], options); };
+    int num_on = 1;
+    while (num_on <= order.num_after(i) && !is_next(order.after(i, num_on))) ++num_on;
+    if (num_on > order.num_after(i)) continue;
+    const int k = order.after(i, num_on);
+    const GapView view = gap_view(scan, order.between(lines[i], lines[k]), plane_through(lines[i]));
     const double between_m = gap_m(lines[i], lines[k]);
     if (view == GapView::kOpen && between_m > options.max_door_m) continue;
     const bool is_door = between_m >= options.min_door_m && between_m <= options.max_door_m;

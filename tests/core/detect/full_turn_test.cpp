@@ -23,6 +23,19 @@ Leg leg_of(const LaserScan& scan, int first, int last) {
   return {.beams = {first, last}, .middle_m = polar(scan.geometry.bearing_rad((first + last) / 2), 1.0)};
 }
 
+TEST(FullTurnTest, CountsTheBeamsOfATurn) {
+  LaserScan scan = turn_with_near_beams(5, 6);
+  EXPECT_EQ(num_beams_in_turn(scan), 12);
+  scan.geometry.step_rad = -scan.geometry.step_rad;
+  EXPECT_EQ(num_beams_in_turn(scan), 12);
+  scan.range_m.push_back(scan.range_m.front());
+  EXPECT_EQ(num_beams_in_turn(scan), 12);
+  scan.range_m.push_back(2.0);
+  EXPECT_EQ(num_beams_in_turn(scan), 0);
+  scan.range_m.resize(11);
+  EXPECT_EQ(num_beams_in_turn(scan), 0);
+}
+
 TEST(FullTurnTest, LessThanATurnIsLeftAsItIs) {
   FullTurn turn;
   LaserScan half;

@@ -76,11 +76,26 @@ TEST(CornersTest, BeamsOfSomethingElseBetweenThemAreNoCorner) {
 
 TEST(CornersTest, AFullTurnClosesWhereItBegan) {
   std::vector<Line> square = chain({{2, -2}, {2, 2}, {-2, 2}, {-2, -2}, {2, -2}});
-  const ScanGeometry full_turn{.num_beams = 120, .first_rad = -kPi / 4, .step_rad = kPi / 60};
+  LaserScan full_turn;
+  full_turn.geometry = {.num_beams = 120, .first_rad = -kPi / 4, .step_rad = kPi / 60};
+  full_turn.range_m.assign(120, 2.0);
   Scene scene;
   find_corners(square, full_turn, {}, scene);
   EXPECT_EQ(scene.objects.size(), 4u);
   EXPECT_EQ(corners_of(square).objects.size(), 3u);
+}
+
+// Beam 0 of the turn lies on the first wall: of its beams, those of the larger part are given.
+TEST(CornersTest, AWallAcrossTheSeamHasItsCorners) {
+  std::vector<Line> square = chain({{2, -2}, {2, 2}, {-2, 2}, {-2, -2}, {2, -2}});
+  LaserScan full_turn;
+  full_turn.geometry = {.num_beams = 120, .first_rad = -kPi / 4 + kPi / 6, .step_rad = kPi / 60};
+  full_turn.range_m.assign(120, 2.0);
+  square[0].beams = {0, 18};
+  for (int i = 1; i < 4; ++i) square[i].beams = {30 * i - 10, 30 * i + 18};
+  Scene scene;
+  find_corners(square, full_turn, {}, scene);
+  EXPECT_EQ(scene.objects.size(), 4u);
 }
 
 TEST(CornersTest, NoLinesNoCorners) {

@@ -49,5 +49,19 @@ TEST(GapViewTest, ThePlanePassesThroughBothEndsAndLooksAway) {
   EXPECT_NEAR(plane.normal.norm(), 1.0, 1e-12);
 }
 
+TEST(GapViewTest, GoesOnBehindTheSeamOfAScanAllAround) {
+  testing::IdealScene scene({.num_beams = 360, .first_rad = 0.0, .step_rad = radians(1.0)});
+  scene.wall({kWall_m + 0.25, -9.0}, {kWall_m + 0.25, 9.0});
+  LaserScan scan = scene.scan();
+  const WallPlane wall{.normal = {1.0, 0.0}, .distance_m = kWall_m};
+  EXPECT_EQ(gap_view(scan, {356, 364}, wall), GapView::kRecess);
+  scan.range_m.push_back(scan.range_m[0]);  // a last beam that points where the first does
+  scan.geometry.num_beams = 361;
+  EXPECT_EQ(gap_view(scan, {356, 364}, wall), GapView::kRecess);
+  scan.range_m.resize(350);
+  scan.geometry.num_beams = 350;
+  EXPECT_EQ(gap_view(scan, {348, 364}, wall), GapView::kUnknown) << "two beams";
+}
+
 }  // namespace
 }  // namespace scanbed

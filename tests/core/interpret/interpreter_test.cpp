@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
@@ -73,6 +75,58 @@ TEST(InterpreterTest, WithoutTracksThereIsNoBench) {
   EXPECT_EQ(count(scene, SceneKind::kBench), 0);
   EXPECT_GE(count(scene, SceneKind::kColumn), 3);
   EXPECT_EQ(count(scene, SceneKind::kWall), 2);
+}
+
+// A room with an open door and a wall that a column hides in the middle, seen all around.
+LaserScan room_around() {
+  testing::IdealScene room({.num_beams = 720, .first_rad = -kPi, .step_rad = kPi / 360});
+  room.wall({3.0, -2.0}, {3.0, -0.45});
+  room.wall({3.0, 0.45}, {3.0, 2.0});
+  room.wall({8.0, -4.0}, {8.0, 4.0});
+  room.wall({3.0, 2.0}, {-3.0, 2.0});
+  room.wall({-3.0, 2.0}, {-3.0, -2.0});
+  room.wall({-3.0, -2.0}, {3.0, -2.0});
+  room.cylinder({-1.8, 0.3}, 0.2);
+  return testing::with_noise(room.scan(), 0.002, 3);
+}
+
+/// The objects of a scan as text, in an order that does not depend on where the scan begins.
+std::vector<std::string> told(const LaserScan& scan) {
+  FeatureDetector detector(robust_options());
+  Interpreter interpreter;
+  const Scene& scene = interpreter.interpret(scan, detector.detect(scan), {});
+  std::vector<std::string> texts;
+  for (const SceneObject& object : scene.objects) {
+    std::string text(to_string(object.kind));
+    for (const Eigen::Vector2d& p_m : {object.center_m, object.left_m, object.right_m}) {
+      for (const double value_m : p_m) text += " " + std::to_string(std::lround(value_m * 1e4));
+    }
+    texts.push_back(text + (object.is_open ? " open" : "") + (object.is_outer ? " outer" : "") + " of " +
+                    std::to_string(object.num_from));
+  }
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+LaserScan begun_at(const LaserScan& scan, int beam) {
+  LaserScan begun = scan;
+  std::rotate(begun.range_m.begin(), begun.range_m.begin() + beam, begun.range_m.end());
+  begun.geometry.first_rad = scan.geometry.bearing_rad(beam);
+  return begun;
+}
+
+TEST(InterpreterTest, ASceneAllAroundDoesNotDependOnWhereTheScanBegins) {
+  const LaserScan scan = room_around();
+  FeatureDetector detector(robust_options());
+  Interpreter interpreter;
+  const Scene& scene = interpreter.interpret(scan, detector.detect(scan), {});
+  EXPECT_EQ(count(scene, SceneKind::kDoor), 1);
+  EXPECT_EQ(count(scene, SceneKind::kCorner), 4);
+  EXPECT_EQ(count(scene, SceneKind::kWall), 5);  // of the room four, and one behind the door
+  const std::vector<std::string> expected = told(scan);
+  for (int beam = 0; beam < scan.num_beams(); beam += 3) {
+    EXPECT_EQ(told(begun_at(scan, beam)), expected) << "begun at beam " << beam;
+  }
 }
 
 TEST(InterpreterTest, NothingIsAnEmptyScene) {
