@@ -17,9 +17,8 @@ bool worth_analysing(const Points& points, const Segment& segment, const CircleO
   if (length_m <= options.min_length_m || length_m >= options.max_length_m) return false;
   // Folded angles do not tell a hollow from a bulge: without the prerequisite at least the side must be
   // right.
-  const double min_ratio = options.prerequisite ? options.min_depth_ratio : 0.0;
-  const double max_ratio = options.prerequisite ? options.max_depth_ratio : kAnyDepth;
-  return bulges_like_an_arc(points, segment, min_ratio, max_ratio);
+  if (!options.prerequisite) return bulges_like_an_arc(points, segment, 0.0, kAnyDepth);
+  return bulges_like_an_arc(points, segment, options.min_depth_ratio, options.max_depth_ratio);
 }
 
 // The three things that raise the paper's confidence (II-B): points in between, tightness, an average near 90

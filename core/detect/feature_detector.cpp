@@ -18,7 +18,7 @@ const DetectorOptions& validated(const DetectorOptions& options) {
 }  // namespace
 
 FeatureDetector::FeatureDetector(const DetectorOptions& options, const LegForest& leg_forest)
-    : options_(validated(options)), leg_forest_(&leg_forest), line_detector_(options.line) {}
+    : options_(validated(options)), line_detector_(options.line), forest_leg_detector_(leg_forest) {}
 
 void FeatureDetector::set_options(const DetectorOptions& options) {
   options_ = validated(options);
@@ -49,7 +49,7 @@ void FeatureDetector::detect_legs_by_forest(const LaserScan& scan) {
     surfaces_.clear();
     detect_surfaces(scan, robust_options(), surfaces_);
   }
-  forest_leg_detector_.detect(scan, is_paper ? surfaces_ : features_, *leg_forest_, options_.leg, features_);
+  forest_leg_detector_.detect(scan, is_paper ? surfaces_ : features_, options_.leg, features_);
 }
 
 void FeatureDetector::detect_in_segments(const LaserScan& scan) {

@@ -47,7 +47,6 @@ class FeatureDetector {
   void detect_arcs_beside_lines(const Segment& segment, int first_line);
 
   DetectorOptions options_;
-  const LegForest* leg_forest_;
   PointProjector projector_;
   FullTurn full_turn_;
   LineDetector line_detector_;

@@ -17,14 +17,17 @@ namespace scanbed {
 /// Keeps its buffers.
 class ForestLegDetector {
  public:
+  /// @param forest  lives as long as the detector.
+  explicit ForestLegDetector(const LegForest& forest) : forest_(&forest) {}
+
   /// Appends the legs, and those that are doubtful, in rising order of their first beam. A leg's middle is
   /// the centroid of its echoes; its score the calibrated probability that it is one.
   ///
   /// @param surfaces  circles of this scan, as the robust pipeline finds them; may be `features` itself.
-  void detect(const LaserScan& scan, const Features& surfaces, const LegForest& forest,
-              const LegOptions& options, Features& features);
+  void detect(const LaserScan& scan, const Features& surfaces, const LegOptions& options, Features& features);
 
  private:
+  const LegForest* forest_;
   LegBeamReader beam_reader_;
   LegBeams beams_;
   LegCandidateFinder finder_;

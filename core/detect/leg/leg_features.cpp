@@ -136,7 +136,7 @@ float jump_m(const LegBeams& beams, int beam, double range_m) {
 // No less than asin(reach / distance), half the angle under which a disc is seen; pi from within.
 double greatest_half_view_rad(float reach_m, float distance_m) {
   if (distance_m <= 1.01F * reach_m) return kPi;
-  const double s = static_cast<double>(reach_m / distance_m);
+  const auto s = static_cast<double>(reach_m / distance_m);
   return s * (1.0 + (kPi / 2.0 - 1.0) * s * s);
 }
 

@@ -16,8 +16,9 @@ namespace {
 constexpr int kBlock = LegFeatureTable::kBlock;
 static_assert(kBlock == kNumLanes);
 
-constexpr int kBlockStride = kBlock * kNumLegFeatures;  // from one block of the table to the next
-constexpr std::size_t kStride = kBlock;                 // of an address, that it need not be widened
+// Of addresses, that they need not be widened.
+constexpr std::size_t kStride = kBlock;
+constexpr std::size_t kBlockStride = kStride * kNumLegFeatures;  // from one block of the table to the next
 
 // Whether the features that the tree asks for on a level are above its threshold, of a block's candidates.
 [[gnu::always_inline]] inline void answer(const LegTree& tree, int level, const float* block, Ints& answers) {
@@ -75,13 +76,13 @@ static_assert(1 << kInRegister == kBlock);
 template <int kNumBlocks>
 SCANBED_AVX2 void add_trees_avx2(std::span<const LegTree> trees, const float* blocks, float* sums) {
   __m256 sum[kNumBlocks];
-  for (int i = 0; i < kNumBlocks; ++i) sum[i] = _mm256_loadu_ps(sums + i * kBlock);
+  for (int i = 0; i < kNumBlocks; ++i) sum[i] = _mm256_loadu_ps(sums + kStride * i);
   for (const LegTree& tree : trees) {
     for (int i = 0; i < kNumBlocks; ++i) {
-      sum[i] = _mm256_add_ps(sum[i], pick_values(tree, blocks + i * kBlockStride));
+      sum[i] = _mm256_add_ps(sum[i], pick_values(tree, blocks + kBlockStride * i));
     }
   }
-  for (int i = 0; i < kNumBlocks; ++i) _mm256_storeu_ps(sums + i * kBlock, sum[i]);
+  for (int i = 0; i < kNumBlocks; ++i) _mm256_storeu_ps(sums + kStride * i, sum[i]);
 }
 #endif
 
@@ -109,8 +110,7 @@ double LegForest::probability(float sum) const {
 
 void LegForestScorer::add(std::span<const LegTree> trees) {
   for (int i = 0; i < table_.num_blocks();) {
-    i += add_trees(instructions_, trees, table_.blocks_from(i),
-                   sums_.data() + static_cast<std::ptrdiff_t>(i) * kBlock);
+    i += add_trees(instructions_, trees, table_.blocks_from(i), sums_.data() + kStride * i);
   }
 }
 

@@ -114,7 +114,7 @@ template <typename Lanes>
 template <typename Lanes>
 [[gnu::always_inline]] inline void RayLineSums::find_best_cut(Stretch places, int first_cut,
                                                               Cut& best) const {
-  constexpr int kNumPairs = sizeof(Lanes) / sizeof(Doubles);
+  constexpr int kNumPairs = sizeof(Lanes) / (2 * sizeof(double));
   const Sums<Lanes> first = before_in_all_lanes<Lanes>(places.first);
   const Sums<Lanes> end = before_in_all_lanes<Lanes>(places.last + 1);
   const double first_place = places.first;

@@ -24,7 +24,7 @@ Features surfaces_in(const LaserScan& scan) {
 
 Features detect_legs(const LaserScan& scan, const LegOptions& options) {
   Features features;
-  ForestLegDetector().detect(scan, surfaces_in(scan), trained_leg_forest(), options, features);
+  ForestLegDetector(trained_leg_forest()).detect(scan, surfaces_in(scan), options, features);
   return features;
 }
 
