@@ -21,12 +21,8 @@ struct Vector {
   const char* telegram;
 };
 
-const char* const kConfiguration = "00004600000001000002020000000A0A5064000A0A5064000A0A5064000000000200";
-
 // Telegrams as the manufacturer's listing prints them, or checked by four implementations of its CRC.
 std::vector<Vector> vectors() {
-  const std::string write = std::string("02 00 23 00 77 ") + kConfiguration + " 0F E1";
-  static const std::string kWrite = write;
   return {
       {SetModeCommand{LmsMode::kInstallation, true}, "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5"},
       {SetModeCommand{LmsMode::kTest, true}, "02 00 0A 00 20 30 53 49 43 4B 5F 4C 4D 53 EE F5"},
@@ -52,7 +48,8 @@ std::vector<Vector> vectors() {
       {ResetCommand{}, "02 00 01 00 10 34 12"},
       {SetPermanentBaudCommand{false}, "02 00 02 00 66 00 9C 4E"},
       {SetPermanentBaudCommand{true}, "02 00 02 00 66 01 9D 4E"},
-      {WriteConfigurationCommand{}, kWrite.c_str()},
+      {WriteConfigurationCommand{},
+       "02 00 23 00 77 00004600000001000002020000000A0A5064000A0A5064000A0A5064000000000200 0F E1"},
   };
 }
 
