@@ -99,7 +99,6 @@ class EmulatedLms {
   LmsConfiguration configuration_;
   int power_on_baud_;
 
-  bool has_started_ = false;
   double start_s_ = 0.0;
   double boot_end_s_ = -1.0;  // < 0: up
   double silent_until_s_ = -1.0;
@@ -110,6 +109,7 @@ class EmulatedLms {
   std::uint8_t scan_index_ = 0;
   std::uint8_t telegram_index_ = 0;
   bool feed_is_partial_ = false;
+  bool has_started_ = false;
   int next_partial_ = 0;
   std::vector<std::uint16_t> turn_words_;  // of the scan whose turns are being sent
 
@@ -120,8 +120,8 @@ class EmulatedLms {
   bool has_blind_pair_ = false;
   bool has_nak_ = false;
   bool has_miss_ = false;
-  int num_refusals_ = 0;
   bool has_unplug_ = false;
+  int num_refusals_ = 0;
   int num_polluted_ = 0;
 };
 
