@@ -27,7 +27,8 @@ constexpr const char* kMainHelp = R"(Examples:
   scanbed detect --laser log:FILE.log > features.jsonl
 'scanbed help COMMAND' tells more.
 Exit codes: 0 fine, 1 a gate was missed, 2 bad input or usage, 3 device or I/O fault,
-130 interrupted (Ctrl-C), 143 terminated (SIGTERM); what was done until then is written.)";
+130 interrupted (Ctrl-C), 143 terminated (SIGTERM), 129 hung up (SIGHUP); what was done until then is
+written.)";
 
 // In the order of the help.
 std::vector<Usage> all_usages() {

@@ -23,7 +23,7 @@ enum ExitCode : int {
   kExitGateMissed = 1,
   kExitBadInput = 2,
   kExitFault = 3,
-  kExitInterrupted = 130,  ///< by SIGINT; main makes it 143 where it was SIGTERM
+  kExitInterrupted = 130,  ///< by SIGINT; main makes it 143 where it was SIGTERM, 129 where SIGHUP
 };
 
 // What the command line asks for, one struct a subcommand, with values already checked; and what does it. All

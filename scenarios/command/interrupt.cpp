@@ -31,6 +31,9 @@ void watch_signals() {
   // timeout(1) sends it twice in a row, to the program and to its group.
   on_interrupt.sa_flags = 0;
   sigaction(SIGTERM, &on_interrupt, nullptr);
+  struct sigaction on_hangup {};
+  sigaction(SIGHUP, nullptr, &on_hangup);
+  if (on_hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &on_interrupt, nullptr);
   ::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -8,12 +8,12 @@
 
 namespace scanbed::scenarios {
 
-/// From now on the first SIGINT, and any SIGTERM, only sets a mark, so that work in hand is finished and
-/// written; a second SIGINT ends the program at once. A write to a pipe that nobody reads becomes an error of
-/// that write.
+/// From now on the first SIGINT, and any SIGTERM or SIGHUP, only sets a mark, so that work in hand is
+/// finished and written; a second SIGINT ends the program at once. SIGHUP stays ignored where it is (nohup).
+/// A write to a pipe that nobody reads becomes an error of that write.
 void watch_signals();
 
-/// Which of the two arrived last since watch_signals(); 0 where none did.
+/// Which of these arrived last since watch_signals(); 0 where none did.
 int interrupting_signal();
 
 /// Whether one of them arrived since watch_signals().

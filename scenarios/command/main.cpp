@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     watch_signals();
     const ExitCode code =
         std::visit([](const auto& command) { return execute(command); }, parse_command_line(argc, argv));
-    // As shells count: 130 for SIGINT, 143 for SIGTERM.
+    // As shells count: 130 for SIGINT, 143 for SIGTERM, 129 for SIGHUP.
     return code == kExitInterrupted ? 128 + interrupting_signal() : code;
   } catch (const InputError& error) {
     log_error(error.what());

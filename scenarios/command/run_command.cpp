@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -148,20 +149,19 @@ class Reporter {
     }
     if (num_runs_ == 1) warn_of_collisions(result);
     if (prints() && (num_runs_ == 1 || command_.tables)) {
-      write_whole(std::nullopt, (results_.empty() ? "" : "\n") + describe(run));
+      print((results_.empty() ? "" : "\n") + describe(run));
     }
     results_.push_back(std::move(run.result));
     if (num_runs_ > 1) progress_.show(static_cast<std::int64_t>(results_.size()));
   }
 
   ExitCode finish() {
-    if (prints() && num_runs_ > 1) {
-      write_whole(std::nullopt, (command_.tables ? "\n" : "") + run_summary(results_, num_runs_));
-    }
+    if (prints() && num_runs_ > 1) print((command_.tables ? "\n" : "") + run_summary(results_, num_runs_));
     if (json_) {
       json_->write(run_json(results_));
       json_->commit();
     }
+    if (not_printed_) std::rethrow_exception(not_printed_);
     if (is_interrupted()) return kExitInterrupted;
     const bool is_fine = std::all_of(results_.begin(), results_.end(),
                                      [](const RunResult& result) { return result.is_accepted(); });
@@ -169,10 +169,21 @@ class Reporter {
   }
 
  private:
-  bool prints() const { return !command_.quiet && command_.json != "-"; }
+  bool prints() const { return !command_.quiet && command_.json != "-" && !not_printed_; }
+
+  // Where nobody reads any more what is printed, the file is written all the same.
+  void print(const std::string& text) {
+    try {
+      write_whole(std::nullopt, text);
+    } catch (const OutputFault&) {
+      if (!json_) throw;
+      not_printed_ = std::current_exception();
+    }
+  }
 
   const RunCommand& command_;
   std::optional<Output> json_;  // made before the runs, so that none is lost to a misspelt folder
+  std::exception_ptr not_printed_;
   int num_runs_;
   std::vector<RunResult> results_;
   Progress progress_;

@@ -49,8 +49,17 @@ TEST(InterruptTest, SurvivesThatItIsToldToTerminateTwice) {
   watch_signals();
 }
 
+TEST(InterruptTest, AHangupThatIsIgnoredStaysSo) {
+  ::signal(SIGHUP, SIG_IGN);
+  watch_signals();
+  ::raise(SIGHUP);
+  EXPECT_FALSE(is_interrupted());
+  ::signal(SIGHUP, SIG_DFL);
+}
+
 TEST(InterruptTest, EndsARunAfterTheScanInHandWithWhatWasDone) {
-  for (const auto& [signal, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+  for (const auto& [signal, exit_code] :
+       {std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)}) {
     const testing::Outcome outcome = interrupted_run(signal);
     EXPECT_EQ(outcome.exit_code, exit_code);
     EXPECT_NE(outcome.out.find("(interrupted)"), std::string::npos) << outcome.out;

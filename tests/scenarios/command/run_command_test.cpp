@@ -203,6 +203,18 @@ TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--out", "/dev/null/x"}).exit_code, 3);
 }
 
+TEST_F(RunTest, WritesItsFileAlsoWhereNobodyReadsWhatIsPrinted) {
+  const std::string file = (folder_ / "r.json").string();
+  for (const std::string& seeds : {std::string("1"), std::string("1..2")}) {
+    const std::vector<std::string> run = {"run", scenario(kEasy), "--seed", seeds, "--json", file};
+    EXPECT_EQ(run_program(run, "/dev/full").exit_code, 3);
+    const std::string written = testing::read_file(file);
+    EXPECT_EQ(run_program(run).exit_code, 0);
+    EXPECT_EQ(written, testing::read_file(file));
+    std::filesystem::remove(file);
+  }
+}
+
 TEST_F(RunTest, KnowsBeforeItRunsWhatCannotBeWritten) {
   const Outcome outcome = run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"});
   EXPECT_EQ(outcome.exit_code, 3);
