@@ -18,7 +18,8 @@ using sim::World;
 using Builder = sim::WorldBuilder;
 
 // A hall of random size. The draws stand in lines of their own: the order of arguments is the compiler's.
-void put_hall(Builder& b, const sim::Span_m& half_x, const sim::Span_m& half_y, double niche_chance) {
+void put_hall(Builder& b, const sim::LengthRange& half_x, const sim::LengthRange& half_y,
+              double niche_chance) {
   const double half_y_m = b.dice.uniform(half_y.least_m, half_y.greatest_m);
   const double half_x_m = b.dice.uniform(half_x.least_m, half_x.greatest_m);
   b.put_hall({half_x_m, half_y_m}, niche_chance);

@@ -10,7 +10,7 @@ namespace {
 constexpr char kFirst = '0';
 constexpr char kLast = 'o';
 constexpr std::size_t kBlock = 64;
-constexpr std::size_t kLongestMessage = 64 * 1024;
+constexpr std::size_t kLongestMessage = std::size_t{1} << 16;
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 namespace scanbed::sim {
 
 /// From the least to the greatest.
-struct Span_m {
+struct LengthRange {
   double least_m = 0.0;
   double greatest_m = 0.0;
 
@@ -19,11 +19,11 @@ struct Span_m {
 /// Niches along a wall, each somewhere within its span.
 struct WallNiches {
   double chance = 0.0;  ///< of each place for a niche to have one
-  Span_m first;         ///< place, from the wall's beginning
-  Span_m next;          ///< place, from the one before
+  LengthRange first;    ///< place, from the wall's beginning
+  LengthRange next;     ///< place, from the one before
   double last_m = 0.0;  ///< no place nearer than this to the wall's end
-  Span_m width;         ///< along the wall
-  Span_m depth;         ///< outwards; negative: a projection
+  LengthRange width;    ///< along the wall
+  LengthRange depth;    ///< outwards; negative: a projection
 };
 
 /// The outline of a rectangular hall about the origin, |x| <= half.x and |y| <= half.y but for its niches.

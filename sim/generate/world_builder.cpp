@@ -90,14 +90,14 @@ void WorldBuilder::let_robot_go(double distance_m) {
   world.robot.drive = {Go{distance_m}};
 }
 
-void WorldBuilder::put_cylinder(const char* label, const Span_m& radius) {
+void WorldBuilder::put_cylinder(const char* label, const LengthRange& radius) {
   const double radius_m =
       radius.least_m * std::pow(radius.greatest_m / radius.least_m, dice.uniform(0.0, 1.0));
   Vector2d p_m;
   if (place(radius_m, p_m)) add(label, Cylinder{p_m, radius_m});
 }
 
-void WorldBuilder::put_box(const char* label, const Span_m& size, double max_aspect) {
+void WorldBuilder::put_box(const char* label, const LengthRange& size, double max_aspect) {
   const double a_m = dice.uniform(size.least_m, size.greatest_m);
   const double b_m = std::min(a_m * dice.uniform(1.0, max_aspect), 2.0 * size.greatest_m);
   Vector2d p_m;

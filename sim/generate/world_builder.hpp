@@ -41,8 +41,8 @@ class WorldBuilder {
   void let_robot_go(double distance_m);
 
   /// Small radii as often as large ones on a logarithmic scale.
-  void put_cylinder(const char* label, const Span_m& radius);
-  void put_box(const char* label, const Span_m& size, double max_aspect);
+  void put_cylinder(const char* label, const LengthRange& radius);
+  void put_box(const char* label, const LengthRange& size, double max_aspect);
   void put_chair();
   void put_bench();
   void put_standing_person();
