@@ -359,20 +359,27 @@ RC_GTEST_PROP(RayCasterTest, OnAWallEveryBeamMeetsItOrWhatLiesBehind, ()) {
   RC_ASSERT(num_at_once >= caster.num_beams() / 2 - 2);
 }
 
+constexpr double kMinCosine = 0.02;  // beams that graze more are not compared with Box2D's
+
 /// The same world with every surface a little smaller or larger.
 PlanarSlice resized(const PlanarSlice& slice, const Vector2d& from_m, double sign) {
   // Box2D counts in floats: 24 bits. Places within 14 m of the origin are off by up to 14 m / 2^24 = 8e-7 m;
-  // a wall may end that much earlier or later, times a few operations.
+  // a wall may end beside a beam by that much, times a few operations; along the wall that is the more, the
+  // more the beam grazes it.
   constexpr double kPlace_m = 1e-5;
   // For a disc at distance D it takes the difference of two squares of size D^2, each off by a few times
   // D^2 / 2^24: that is by how much the squared radius is uncertain.
   constexpr double kFloat = 0x1p-24;
   PlanarSlice other = slice;
   for (SliceSegment& s : other.segments) {
-    const Vector2d along = s.b_m - s.a_m;
-    if (along.norm() <= 2 * kPlace_m) continue;
-    s.a_m -= sign * kPlace_m * along.normalized();
-    s.b_m += sign * kPlace_m * along.normalized();
+    const Vector2d along = (s.b_m - s.a_m).normalized();
+    const auto place_along_m = [&](const Vector2d& end_m) {
+      const Vector2d u = (end_m - from_m).normalized();
+      return kPlace_m / std::max(kMinCosine, std::abs(u.x() * along.y() - u.y() * along.x()));
+    };
+    if ((s.b_m - s.a_m).norm() <= 2.0 * kPlace_m / kMinCosine) continue;
+    s.a_m -= sign * place_along_m(s.a_m) * along;
+    s.b_m += sign * place_along_m(s.b_m) * along;
   }
   for (SliceDisc& d : other.discs) {
     const double squared = 8.0 * kFloat * (d.center_m - from_m).squaredNorm() + 2.0 * d.radius_m * kPlace_m;
@@ -396,7 +403,7 @@ RC_GTEST_PROP(RayCasterTest, AgreesWithBox2DsRayCast, ()) {
     const double bearing_W_rad = world.X_WS.theta_rad + world.geometry.bearing_rad(i);
     const Vector2d u(std::cos(bearing_W_rad), std::sin(bearing_W_rad));
     const double cosine = std::min(std::cos(larger.incidence_rad(i)), std::cos(smaller.incidence_rad(i)));
-    if (cosine < 0.02) continue;
+    if (cosine < kMinCosine) continue;
     const double range_m = reference.cast(world.X_WS.p_m, u, 50.0).range_m;
     const double tolerance_m = 1e-5 / cosine;  // kPlace_m across the surface, seen along the beam
     if (range_m < larger.range_m(i) - tolerance_m || range_m > smaller.range_m(i) + tolerance_m) {
