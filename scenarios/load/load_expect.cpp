@@ -36,7 +36,7 @@ std::vector<std::string> object_names(const sim::World& world) {
 }
 
 NearObject load_near(const Value& id, Table& table, const sim::World& world) {
-  const NearObject near{.id = id.text(), .within_m = table.need("within").number(kDistance_m)};
+  NearObject near{.id = id.text(), .within_m = table.need("within").number(kDistance_m)};
   const std::vector<std::string> names = object_names(world);
   if (std::find(names.begin(), names.end(), near.id) == names.end()) {
     id.refuse(fmt::format("no object {}{}", quote(near.id), name_hint(near.id, names, "objects")));
