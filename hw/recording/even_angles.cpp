@@ -24,8 +24,9 @@ void restore_even_angles(ScanGeometry& geometry, const AngleRounding& rounding) 
   const auto half_steps = static_cast<std::int64_t>(std::round(geometry.first_rad / kPi * num_steps));
   const auto all = static_cast<std::int64_t>(num_steps);
   const std::int64_t divisor = std::gcd(half_steps, all);
-  const double first_rad =
-      static_cast<double>(half_steps / divisor) * kPi / static_cast<double>(all / divisor);
+  const std::int64_t numerator = half_steps / divisor;
+  const std::int64_t denominator = all / divisor;
+  const double first_rad = static_cast<double>(numerator) * kPi / static_cast<double>(denominator);
   if (std::abs(first_rad - geometry.first_rad) <= rounding.first_rad) geometry.first_rad = first_rad;
 }
 

@@ -18,8 +18,6 @@
 #include "core/errors/ensure.hpp"
 #include "scenarios/command/output.hpp"
 
-extern char** environ;
-
 namespace scanbed::scenarios {
 namespace {
 
@@ -52,6 +50,7 @@ std::vector<std::string> arguments(const VideoOptions& options, const std::strin
 // The child must not hold our end of the pipe, or it would never see the end of the film.
 pid_t spawn(std::vector<std::string> words, int child_end) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
