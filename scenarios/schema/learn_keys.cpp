@@ -78,11 +78,13 @@ class Learner {
     return sum;
   }
 
+  // Of words that reading adds to.
+  static std::vector<std::string> copy_of(const std::vector<std::string>& words) { return words; }
+
   // Tries the value itself in all its forms, then its parts.
   void explore(const Way& way, const Asked& asked) {
     try_forms(way, asked);
-    // Copies, since reading adds to them.
-    const std::vector<std::string> keys = asked.key_names();
+    const std::vector<std::string> keys = copy_of(asked.key_names());
     for (const std::string& key : keys) explore(with(way, key), asked.key(key));
     for (const std::string& key : keys) try_beside(way, asked, key);
     if (asked.items() != nullptr) explore(with(way, kItem), *asked.items());
@@ -95,7 +97,7 @@ class Learner {
   }
 
   void try_forms(const Way& way, const Asked& asked) {
-    const std::vector<std::string> words = asked.words();
+    const std::vector<std::string> words = copy_of(asked.words());
     for (const std::string& word : words) attempt({{way, scalar(word)}});
     attempt({{way, empty(TreeNode::Kind::kNothing)}});
     attempt({{way, scalar("1")}});
@@ -107,8 +109,8 @@ class Learner {
 
   // Keys that only go with another one, or mean something else beside it.
   void try_beside(const Way& way, const Asked& map, const std::string& key) {
-    const std::vector<std::string> keys = map.key_names();
-    const std::vector<std::string> words = map.key(key).words();
+    const std::vector<std::string> keys = copy_of(map.key_names());
+    const std::vector<std::string> words = copy_of(map.key(key).words());
     for (const std::string& other : keys) {
       if (other == key) continue;
       const std::pair<Way, TreeNode> beside{with(way, other), empty(TreeNode::Kind::kNothing)};
