@@ -2,10 +2,19 @@
 #include "core/detect/feature_detector.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/detect/circle_detector.hpp"
+#include "core/detect/full_turn.hpp"
+#include "core/detect/leg/forest_leg_detector.hpp"
+#include "core/detect/leg/leg_forest.hpp"
 #include "core/detect/leg_detector.hpp"
+#include "core/detect/line_detector.hpp"
+#include "core/detect/points.hpp"
+#include "core/detect/robust/surface_parser.hpp"
+#include "core/detect/segmentation.hpp"
 
 namespace scanbed {
 namespace {
@@ -17,22 +26,50 @@ const DetectorOptions& validated(const DetectorOptions& options) {
 
 }  // namespace
 
-FeatureDetector::FeatureDetector(const DetectorOptions& options, const LegForest& leg_forest)
-    : options_(validated(options)), line_detector_(options.line), forest_leg_detector_(leg_forest) {}
+class FeatureDetector::Stages {
+ public:
+  Stages(const DetectorOptions& options, const LegForest& leg_forest)
+      : options_(validated(options)), line_detector_(options.line), forest_leg_detector_(leg_forest) {}
 
-void FeatureDetector::set_options(const DetectorOptions& options) {
+  const DetectorOptions& options() const { return options_; }
+  void set_options(const DetectorOptions& options);
+  const Features& detect(const LaserScan& scan);
+
+ private:
+  void detect_unrolled(const LaserScan& scan);
+  void detect_in_segments(const LaserScan& scan);
+  void detect_surfaces(const LaserScan& scan, const DetectorOptions& options, Features& features);
+  void detect_legs_by_forest(const LaserScan& scan);
+  void detect_in_segment(const Segment& segment);
+  void detect_arcs_beside_lines(const Segment& segment, int first_line);
+
+  DetectorOptions options_;
+  PointProjector projector_;
+  FullTurn full_turn_;
+  LineDetector line_detector_;
+  EchoReader echo_reader_;
+  SurfaceParser surface_parser_;
+  ForestLegDetector forest_leg_detector_;
+  Echoes echoes_;
+  Points points_;
+  std::vector<Segment> segments_;
+  Features features_;
+  Features surfaces_;  ///< of the robust pipeline, where the other one is asked for
+};
+
+void FeatureDetector::Stages::set_options(const DetectorOptions& options) {
   options_ = validated(options);
   line_detector_.set_options(options.line);
 }
 
-const Features& FeatureDetector::detect(const LaserScan& scan) {
+const Features& FeatureDetector::Stages::detect(const LaserScan& scan) {
   features_.clear();
   detect_unrolled(full_turn_.unroll(scan));
   full_turn_.roll(features_);
   return features_;
 }
 
-void FeatureDetector::detect_unrolled(const LaserScan& scan) {
+void FeatureDetector::Stages::detect_unrolled(const LaserScan& scan) {
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
   const bool by_rules = options_.leg.scorer == LegScorer::kRules;
   if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
@@ -43,7 +80,7 @@ void FeatureDetector::detect_unrolled(const LaserScan& scan) {
 }
 
 // The forest asks which circles there are, and knows those of the robust pipeline.
-void FeatureDetector::detect_legs_by_forest(const LaserScan& scan) {
+void FeatureDetector::Stages::detect_legs_by_forest(const LaserScan& scan) {
   const bool is_paper = options_.pipeline == Pipeline::kPaper;
   if (is_paper) {
     surfaces_.clear();
@@ -52,7 +89,7 @@ void FeatureDetector::detect_legs_by_forest(const LaserScan& scan) {
   forest_leg_detector_.detect(scan, is_paper ? surfaces_ : features_, options_.leg, features_);
 }
 
-void FeatureDetector::detect_in_segments(const LaserScan& scan) {
+void FeatureDetector::Stages::detect_in_segments(const LaserScan& scan) {
   projector_.project(scan, points_);
   segment_points(points_, options_.segmentation, segments_);
   for (const Segment& segment : segments_) {
@@ -63,8 +100,8 @@ void FeatureDetector::detect_in_segments(const LaserScan& scan) {
   }
 }
 
-void FeatureDetector::detect_surfaces(const LaserScan& scan, const DetectorOptions& options,
-                                      Features& features) {
+void FeatureDetector::Stages::detect_surfaces(const LaserScan& scan, const DetectorOptions& options,
+                                              Features& features) {
   echo_reader_.read(scan, options.surface, echoes_);
   surface_parser_.parse(echoes_, scan, options, features);
   const auto rising = [](const auto& a, const auto& b) { return a.beams.first < b.beams.first; };
@@ -73,7 +110,7 @@ void FeatureDetector::detect_surfaces(const LaserScan& scan, const DetectorOptio
   std::sort(features.doubtful_circles.begin(), features.doubtful_circles.end(), rising);
 }
 
-void FeatureDetector::detect_in_segment(const Segment& segment) {
+void FeatureDetector::Stages::detect_in_segment(const Segment& segment) {
   std::optional<Circle> circle;
   if (options_.circle.method != CircleMethod::kOff) circle = detect_circle(points_, segment, options_.circle);
   if (circle) {
@@ -85,7 +122,7 @@ void FeatureDetector::detect_in_segment(const Segment& segment) {
   }
 }
 
-void FeatureDetector::detect_arcs_beside_lines(const Segment& segment, int first_line) {
+void FeatureDetector::Stages::detect_arcs_beside_lines(const Segment& segment, int first_line) {
   const int num_lines = static_cast<int>(features_.lines.size());
   if (options_.circle.method == CircleMethod::kOff || !options_.circle.in_lines || first_line == num_lines) {
     return;
@@ -101,6 +138,28 @@ void FeatureDetector::detect_arcs_beside_lines(const Segment& segment, int first
       features_.circles.push_back(*arc);
     if (!past_last) first_left_over = index_of(features_.lines[i].beams.last) + 1;
   }
+}
+
+FeatureDetector::FeatureDetector(const DetectorOptions& options)
+    : FeatureDetector(options, trained_leg_forest()) {}
+
+FeatureDetector::FeatureDetector(const DetectorOptions& options, const LegForest& leg_forest)
+    : stages_(std::make_unique<Stages>(options, leg_forest)) {}
+
+FeatureDetector::FeatureDetector(FeatureDetector&&) noexcept = default;
+FeatureDetector& FeatureDetector::operator=(FeatureDetector&&) noexcept = default;
+FeatureDetector::~FeatureDetector() = default;
+
+const DetectorOptions& FeatureDetector::options() const {
+  return stages_->options();
+}
+
+void FeatureDetector::set_options(const DetectorOptions& options) {
+  stages_->set_options(options);
+}
+
+const Features& FeatureDetector::detect(const LaserScan& scan) {
+  return stages_->detect(scan);
 }
 
 }  // namespace scanbed

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/report/feature_line.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <variant>
 #include <vector>
+
+#include "scenarios/report/append_format.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -27,7 +26,7 @@ class ObjectWriter {
   }
   ObjectWriter& count(std::string_view key, std::int64_t value) {
     begin(key);
-    fmt::format_to(std::back_inserter(out_), "{}", value);
+    append_format(out_, "{}", value);
     return *this;
   }
   ObjectWriter& point(std::string_view key, const Eigen::Vector2d& p_m) {
@@ -41,7 +40,7 @@ class ObjectWriter {
   }
 
  private:
-  void begin(std::string_view key) { fmt::format_to(std::back_inserter(out_), ",\"{}\":", key); }
+  void begin(std::string_view key) { append_format(out_, ",\"{}\":", key); }
 
   void put(double value) {
     if (!std::isfinite(value)) {
@@ -52,7 +51,7 @@ class ObjectWriter {
     const bool is_whole = std::abs(value) > 0x1p53;
     const double rounded = is_whole ? value : std::round(value * 1e6) / 1e6;
     // Adding zero turns -0 into 0.
-    fmt::format_to(std::back_inserter(out_), "{}", rounded + 0.0);
+    append_format(out_, "{}", rounded + 0.0);
   }
 
   std::string& out_;
@@ -85,8 +84,7 @@ std::vector<PlacedFeature> in_order(const Features& features) {
 }
 
 ObjectWriter begin_object(std::string& out, std::string_view type, const BeamSpan& beams) {
-  fmt::format_to(std::back_inserter(out), R"({{"type":"{}","first":{},"last":{})", type, beams.first,
-                 beams.last);
+  append_format(out, R"({{"type":"{}","first":{},"last":{})", type, beams.first, beams.last);
   return ObjectWriter(out);
 }
 
@@ -127,7 +125,7 @@ std::string_view name_of(TrackKind kind) {
 }
 
 void append(std::string& out, const Track& track) {
-  fmt::format_to(std::back_inserter(out), R"({{"id":{},"kind":"{}")", track.id, name_of(track.kind));
+  append_format(out, R"({{"id":{},"kind":"{}")", track.id, name_of(track.kind));
   ObjectWriter writer(out);
   writer.point("position", track.position_m).point("velocity", track.velocity_m_per_s);
   if (track.kind == TrackKind::kCylinder) writer.number("radius", track.radius_m);
@@ -167,13 +165,13 @@ void append_scene(std::string& out, const Scene& scene, const std::vector<Placed
   for (const SceneObject& object : scene.objects) {
     if (!is_first) out += ',';
     is_first = false;
-    fmt::format_to(std::back_inserter(out), R"({{"kind":"{}")", to_string(object.kind));
+    append_format(out, R"({{"kind":"{}")", to_string(object.kind));
     ObjectWriter(out).point("center", object.center_m);
     append_details(out, object);
     out += ",\"from\":[";
     for (const FeatureRef& ref : scene.from_of(object)) {
       if (out.back() != '[') out += ',';
-      fmt::format_to(std::back_inserter(out), "{}", place_of(ref));
+      append_format(out, "{}", place_of(ref));
     }
     out += ']';
     ObjectWriter(out).number("score", object.score);
@@ -184,7 +182,7 @@ void append_scene(std::string& out, const Scene& scene, const std::vector<Placed
 }  // namespace
 
 void append_feature_line(std::string& out, const Findings& findings) {
-  fmt::format_to(std::back_inserter(out), R"({{"scan":{})", findings.scan.index);
+  append_format(out, R"({{"scan":{})", findings.scan.index);
   ObjectWriter(out).number("t_s", findings.scan.time_s);
   const std::vector<PlacedFeature> features = in_order(findings.features);
   out += ",\"features\":[";

@@ -8,13 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "scenarios/report/append_format.hpp"
+
 namespace scanbed::scenarios {
 namespace {
-
-template <typename... Arguments>
-void append(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 std::string share(int part, int whole) {
   return whole == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(part) / whole);
@@ -59,9 +56,9 @@ Pool pool(Runs runs) {
 
 void append_tally(std::string& out, const Tally& tally, int num_scans) {
   const double num_false = tally.num_detections - tally.num_right;
-  append(out, "{:>8}{:>7}{:>7}", share(tally.num_right, tally.num_detections),
-         share(tally.num_found, tally.num_truths),
-         num_scans == 0 ? "-" : fmt::format("{:.2f}", num_false / num_scans));
+  append_format(out, "{:>8}{:>7}{:>7}", share(tally.num_right, tally.num_detections),
+                share(tally.num_found, tally.num_truths),
+                num_scans == 0 ? "-" : fmt::format("{:.2f}", num_false / num_scans));
 }
 
 int count_refused(Runs runs) {
@@ -80,13 +77,14 @@ std::string verdict(Runs runs) {
 
 void append_row(std::string& out, Runs runs) {
   const Pool counts = pool(runs);
-  append(out, "  {:<26}{:>5}", runs.front().scenario, runs.size());
+  append_format(out, "  {:<26}{:>5}", runs.front().scenario, runs.size());
   for (const Tally* tally : {&counts.line, &counts.circle, &counts.leg}) {
     append_tally(out, *tally, counts.num_scans);
   }
   const bool has_people = counts.person && counts.person->num_truths > 0;
-  append(out, "{:>8}{:>14}  {}\n", has_people ? fmt::format("{:.3f}", counts.person->mota()) : "-",
-         has_people ? fmt::format("{:.2f}", counts.person->switches_per_minute()) : "-", verdict(runs));
+  append_format(out, "{:>8}{:>14}  {}\n", has_people ? fmt::format("{:.3f}", counts.person->mota()) : "-",
+                has_people ? fmt::format("{:.2f}", counts.person->switches_per_minute()) : "-",
+                verdict(runs));
 }
 
 // A bar of a scenario and the runs that missed it.
@@ -137,9 +135,9 @@ Missed missed_expectation(Runs runs, std::size_t index) {
 
 void append_missed(std::string& out, Runs runs, const Missed& missed) {
   if (missed.num_missed == 0) return;
-  append(out, "  {}: {}: missed in {} of {}, worst {} (seed {})", runs.front().scenario, missed.bar,
-         missed.num_missed, runs.size(), missed.worst ? fmt::format("{:.4g}", *missed.worst) : "nothing",
-         missed.worst_seed);
+  append_format(out, "  {}: {}: missed in {} of {}, worst {} (seed {})", runs.front().scenario, missed.bar,
+                missed.num_missed, runs.size(),
+                missed.worst ? fmt::format("{:.4g}", *missed.worst) : "nothing", missed.worst_seed);
   const std::optional<std::string>& whole = runs.front().known_fail;
   const std::optional<std::string>& reason = missed.known_fail ? missed.known_fail : whole;
   out += reason ? "; known failure: " + *reason + "\n" : "\n";
@@ -162,9 +160,9 @@ void append_collisions(std::string& out, Runs runs) {
   const auto has_some = [](const RunResult& run) { return !run.collisions.empty(); };
   const auto first = std::find_if(runs.begin(), runs.end(), has_some);
   if (first == runs.end()) return;
-  append(out, "  {}: collisions in {} of {} runs; {} (seed {})\n", first->scenario,
-         std::count_if(runs.begin(), runs.end(), has_some), runs.size(),
-         sim::to_string(first->collisions.front()), first->seed);
+  append_format(out, "  {}: collisions in {} of {} runs; {} (seed {})\n", first->scenario,
+                std::count_if(runs.begin(), runs.end(), has_some), runs.size(),
+                sim::to_string(first->collisions.front()), first->seed);
 }
 
 // A run that was cut off has not seen all that its bars ask for: a miss of it would be made up.
@@ -178,10 +176,11 @@ std::vector<RunResult> complete(Runs results) {
 std::string summary_of_complete(Runs results) {
   if (results.empty()) return "no runs\n";
   std::string out = fmt::format("preset {}, laser {}\n", results[0].preset, results[0].laser);
-  append(out, "  {:<31}{:>22}{:>22}{:>22}{:>22}\n", "", "lines   ", "circles   ", "legs   ", "people   ");
-  append(out, "  {:<26}{:>5}", "scenario", "runs");
-  for (int kind = 0; kind < 3; ++kind) append(out, "{:>8}{:>7}{:>7}", "prec.", "recall", "false");
-  append(out, "{:>8}{:>14}\n", "MOTA", "switches/min");
+  append_format(out, "  {:<31}{:>22}{:>22}{:>22}{:>22}\n", "", "lines   ", "circles   ", "legs   ",
+                "people   ");
+  append_format(out, "  {:<26}{:>5}", "scenario", "runs");
+  for (int kind = 0; kind < 3; ++kind) append_format(out, "{:>8}{:>7}{:>7}", "prec.", "recall", "false");
+  append_format(out, "{:>8}{:>14}\n", "MOTA", "switches/min");
   const std::vector<Runs> groups = group(results);
   for (const Runs& runs : groups) append_row(out, runs);
   std::string notes;
@@ -189,7 +188,7 @@ std::string summary_of_complete(Runs results) {
   for (const Runs& runs : groups) append_collisions(notes, runs);
   if (!notes.empty()) out += "\n" + notes;
   const int num_refused = count_refused(results);
-  append(out, "\n{} scenarios, {} runs: ", groups.size(), results.size());
+  append_format(out, "\n{} scenarios, {} runs: ", groups.size(), results.size());
   out += num_refused == 0 ? "no gate missed that is not known to fail\n"
                           : fmt::format("{} missed a gate\n", num_refused);
   return out;
@@ -201,7 +200,7 @@ std::string run_summary(std::span<const RunResult> results, int num_runs) {
   const std::vector<RunResult> runs = complete(results);
   std::string out = summary_of_complete(runs);
   if (static_cast<int>(runs.size()) < num_runs) {
-    append(out, "interrupted after {} of {} runs\n", runs.size(), num_runs);
+    append_format(out, "interrupted after {} of {} runs\n", runs.size(), num_runs);
   }
   return out;
 }

@@ -5,59 +5,56 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
+
+#include "scenarios/report/append_format.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
 constexpr std::array kKinds = {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg};
 
-template <typename... Arguments>
-void append(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
-
 std::string share(int part, int whole) {
   return whole == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(part) / whole);
 }
 
 void append_head(std::string& out, const RunResult& result) {
-  append(out, "{}  seed {}  laser {}  preset {}  {} scans{}\n", result.scenario, result.seed, result.laser,
-         result.preset, result.num_scans, result.interrupted ? " (interrupted)" : "");
+  append_format(out, "{}  seed {}  laser {}  preset {}  {} scans{}\n", result.scenario, result.seed,
+                result.laser, result.preset, result.num_scans, result.interrupted ? " (interrupted)" : "");
 }
 
 void append_tallies(std::string& out, const Scores& scores) {
-  append(out, "\n  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12}{:>11}\n", "kind", "truths", "found", "recall",
-         "detections", "right", "precision", "false/scan", "rms error");
+  append_format(out, "\n  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12}{:>11}\n", "kind", "truths", "found",
+                "recall", "detections", "right", "precision", "false/scan", "rms error");
   for (const FeatureKind kind : kKinds) {
     const KindScore& score = score_of(scores, kind);
     const Tally& tally = score.tally;
     const std::string rms_error =
         tally.num_right == 0 ? "-" : fmt::format("{:.1f} mm", 1000.0 * tally.rms_error_m());
-    append(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12.3f}{:>11}\n", to_string(kind), tally.num_truths,
-           tally.num_found, share(tally.num_found, tally.num_truths), tally.num_detections, tally.num_right,
-           share(tally.num_right, tally.num_detections), scores.false_per_scan(score), rms_error);
+    append_format(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12.3f}{:>11}\n", to_string(kind),
+                  tally.num_truths, tally.num_found, share(tally.num_found, tally.num_truths),
+                  tally.num_detections, tally.num_right, share(tally.num_right, tally.num_detections),
+                  scores.false_per_scan(score), rms_error);
   }
 }
 
 void append_bands(std::string& out, const Scores& scores) {
-  append(out, "\n  {:<8}", "recall");
+  append_format(out, "\n  {:<8}", "recall");
   for (const RangeBand& band : scores.line.bands) {
     const bool is_last = &band == &scores.line.bands.back();
-    append(
+    append_format(
         out, "{:>15}",
         is_last ? fmt::format("{:g}+ m", band.from_m) : fmt::format("{:g}-{:g} m", band.from_m, band.to_m));
   }
   out += '\n';
   for (const FeatureKind kind : kKinds) {
-    append(out, "  {:<8}", to_string(kind));
+    append_format(out, "  {:<8}", to_string(kind));
     for (const RangeBand& band : score_of(scores, kind).bands) {
       const std::string text =
           band.num_truths == 0
               ? "-"
               : fmt::format("{} of {}", share(band.num_found, band.num_truths), band.num_truths);
-      append(out, "{:>15}", text);
+      append_format(out, "{:>15}", text);
     }
     out += '\n';
   }
@@ -65,15 +62,15 @@ void append_bands(std::string& out, const Scores& scores) {
 
 void append_tracks(std::string& out, const Scores& scores) {
   if (!scores.person && !scores.cylinder) return;
-  append(out, "\n  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14}{:>8}{:>8}{:>12}\n", "followed", "truths", "found",
-         "false", "switches", "switches/min", "MOTA", "IDF1", "mean error");
+  append_format(out, "\n  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14}{:>8}{:>8}{:>12}\n", "followed", "truths", "found",
+                "false", "switches", "switches/min", "MOTA", "IDF1", "mean error");
   for (const FeatureKind kind : {FeatureKind::kPerson, FeatureKind::kCylinder}) {
     const std::optional<TrackTally>& tally = tracks_of(scores, kind);
     if (!tally || (tally->num_truths == 0 && tally->num_false == 0)) continue;
-    append(out, "  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14.2f}{:>8.3f}{:>8.3f}{:>12}\n", to_string(kind),
-           tally->num_truths, tally->num_matches, tally->num_false, tally->num_switches,
-           tally->switches_per_minute(), tally->mota(), tally->idf1(),
-           fmt::format("{:.1f} mm", 1000.0 * tally->motp_m()));
+    append_format(out, "  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14.2f}{:>8.3f}{:>8.3f}{:>12}\n", to_string(kind),
+                  tally->num_truths, tally->num_matches, tally->num_false, tally->num_switches,
+                  tally->switches_per_minute(), tally->mota(), tally->idf1(),
+                  fmt::format("{:.1f} mm", 1000.0 * tally->motp_m()));
   }
 }
 
@@ -88,14 +85,14 @@ std::string reason(const std::optional<std::string>& known_fail) {
 
 void append_gates(std::string& out, const std::vector<GateResult>& gates) {
   if (gates.empty()) return;
-  append(out, "\n  {:<10}{:<24}{:>12}{:>12}\n", "gate", "", "bar", "measured");
+  append_format(out, "\n  {:<10}{:<24}{:>12}{:>12}\n", "gate", "", "bar", "measured");
   for (const GateResult& gate : gates) {
     const Need& need = gate.need;
     const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
     const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
-    append(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}{}\n", to_string(need.kind), need.metric.name, bar, value,
-           outcome(gate.met, need.known_fail), need.window.is_whole() ? "" : "  " + to_string(need.window),
-           reason(need.known_fail));
+    append_format(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}{}\n", to_string(need.kind), need.metric.name, bar,
+                  value, outcome(gate.met, need.known_fail),
+                  need.window.is_whole() ? "" : "  " + to_string(need.window), reason(need.known_fail));
   }
 }
 
@@ -104,16 +101,16 @@ void append_expectations(std::string& out, const std::vector<ExpectResult>& expe
   out += "\n  expected\n";
   for (const ExpectResult& result : expectations) {
     const std::optional<std::string>& known_fail = result.expectation.known_fail;
-    append(out, "  {}: held in {} of {}  {}", result.expectation.text(), result.num_held, result.num_scans,
-           outcome(result.met, known_fail));
-    if (!result.met && result.first_missed_s) append(out, "  first at {:g} s", *result.first_missed_s);
+    append_format(out, "  {}: held in {} of {}  {}", result.expectation.text(), result.num_held,
+                  result.num_scans, outcome(result.met, known_fail));
+    if (!result.met && result.first_missed_s) append_format(out, "  first at {:g} s", *result.first_missed_s);
     out += reason(known_fail) + '\n';
   }
 }
 
 void append_counts(std::string& out, const RunResult& result) {
-  append(out, "\n  {} lines, {} circles, {} legs detected\n", result.features.lines, result.features.circles,
-         result.features.legs);
+  append_format(out, "\n  {} lines, {} circles, {} legs detected\n", result.features.lines,
+                result.features.circles, result.features.legs);
   out += "  not scored: this laser brings no truth, so no gate was measured\n";
 }
 
@@ -126,7 +123,7 @@ std::string met_of(const Results& results, std::string_view what) {
 
 void append_verdict(std::string& out, const RunResult& result) {
   if (result.gates.empty() && result.expectations.empty()) return;
-  append(out, "\n{}: ", result.scenario);
+  append_format(out, "\n{}: ", result.scenario);
   if (!result.gates.empty()) out += met_of(result.gates, "gates passed");
   if (!result.gates.empty() && !result.expectations.empty()) out += ", ";
   if (!result.expectations.empty()) out += met_of(result.expectations, "expectations held");

@@ -46,7 +46,7 @@ TEST(LineFitTest, AgreesWithTheEigenvectorOfTheScatterMatrix) {
     }
     Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
     for (const auto& p : points_m) scatter += (p - mean) * (p - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
+    const auto solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(scatter);
     EXPECT_NEAR(sine_between(fit_line(moments).direction, solver.eigenvectors().col(1)), 0.0, 1e-9);
   }
 }

@@ -106,7 +106,8 @@ class PlainFeatures {
         std::abs(read_.beams.echo_range_m[run_.last] - read_.beams.echo_range_m[run_.first]) / (width + 0.02);
     v[LegFeature::kRangeStd] = std::sqrt(variance);
     v[LegFeature::kStep] = std::sqrt(step2);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
+    const auto solver =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>().computeDirect(covariance, Eigen::EigenvaluesOnly);
     v[LegFeature::kLineResidual] = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
   }
 
