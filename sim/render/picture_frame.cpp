@@ -16,10 +16,9 @@ const Rgba kBand{1.0, 1.0, 1.0, 0.86};
 const Rgba kInk{0.10, 0.11, 0.13, 1.0};
 const Rgba kGridInk{0.25, 0.27, 0.32, 0.16};
 
-// Everything is laid out for a picture of 720 rows.
-double scale_of(const Canvas& canvas) {
-  return std::clamp(canvas.height_px() / 720.0, 0.6, 4.0);
-}
+// In a picture of 720 rows.
+constexpr double kCaptionHeight_px = 36.0;
+constexpr double kLegendHeight_px = 34.0;
 
 void fill_band(Canvas& canvas, double top_px, double bottom_px) {
   const double right_px = canvas.width_px();
@@ -58,7 +57,7 @@ struct PlanGrid {
 };
 
 void draw_scale_bar(Canvas& canvas, double px_per_m, double bottom_px) {
-  const double scale = scale_of(canvas);
+  const double scale = picture_scale(canvas);
   const double length_m = round_step_m(60.0 * scale / px_per_m);
   const double right_px = canvas.width_px() - 22.0 * scale;
   const double left_px = right_px - length_m * px_per_m;
@@ -84,9 +83,19 @@ double round_step_m(double least_m) {
   return 10.0 * decade;
 }
 
+double picture_scale(const Canvas& canvas) {
+  return std::clamp(canvas.height_px() / 720.0, 0.6, 4.0);
+}
+
+Eigen::AlignedBox2d middle_of(const Canvas& canvas) {
+  const double scale = picture_scale(canvas);
+  return {Eigen::Vector2d(0.0, kCaptionHeight_px * scale),
+          Eigen::Vector2d(canvas.width_px(), canvas.height_px() - kLegendHeight_px * scale)};
+}
+
 void draw_caption(Canvas& canvas, const std::string& caption) {
   if (caption.empty()) return;
-  const double scale = scale_of(canvas);
+  const double scale = picture_scale(canvas);
   const TextStyle style{kInk, 16.0 * scale, true};
   const double room_px = canvas.width_px() - 32.0 * scale;
   constexpr std::size_t kMaxBytes = 500;
@@ -96,7 +105,7 @@ void draw_caption(Canvas& canvas, const std::string& caption) {
     drop_last_character(kept);
     shown = kept + "...";
   }
-  fill_band(canvas, 0.0, 36.0 * scale);
+  fill_band(canvas, 0.0, kCaptionHeight_px * scale);
   canvas.text({16.0 * scale, 24.0 * scale}, shown, style);
 }
 
@@ -109,12 +118,12 @@ void draw_legend(Canvas& canvas, const Features& features, const std::string& no
                                       {count(features.circles.size(), "circle"), kCircleColor},
                                       {count(features.legs.size(), "leg"), kLegColor},
                                       {"laser echo", kEchoColor}}};
-  const double scale = scale_of(canvas);
+  const double scale = picture_scale(canvas);
   const TextStyle style{kInk, 14.0 * scale};
   const double bottom_px = canvas.height_px();
-  const double middle_px = bottom_px - 17.0 * scale;
+  const double middle_px = bottom_px - 0.5 * kLegendHeight_px * scale;
   const double baseline_px = middle_px + 5.0 * scale;
-  fill_band(canvas, bottom_px - 34.0 * scale, bottom_px);
+  fill_band(canvas, bottom_px - kLegendHeight_px * scale, bottom_px);
   double x_px = 18.0 * scale;
   for (const Entry& entry : entries) {
     canvas.dots({{x_px, middle_px}}, 5.5 * scale, entry.color);
@@ -128,13 +137,13 @@ void draw_legend(Canvas& canvas, const Features& features, const std::string& no
 
 void draw_plan_scale(Canvas& canvas, const ViewCamera& camera) {
   const PlanGrid grid(camera);
-  const double scale = scale_of(canvas);
+  const double scale = picture_scale(canvas);
   const double width_px = canvas.width_px();
   const double height_px = canvas.height_px();
   const double step_m = round_step_m(34.0 * scale / grid.px_per_m);
   const TextStyle style{{0.30, 0.32, 0.37, 1.0}, 11.5 * scale};
-  const double lowest_px = height_px - 34.0 * scale;
-  const double highest_px = 36.0 * scale;
+  const double lowest_px = middle_of(canvas).max().y();
+  const double highest_px = middle_of(canvas).min().y();
 
   std::vector<Canvas::Polyline> lines;
   const int num_columns = static_cast<int>(width_px / (step_m * grid.px_per_m));

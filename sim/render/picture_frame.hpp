@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 
 #include "core/detect/features.hpp"
@@ -8,6 +9,12 @@
 #include "sim/render/view_camera.hpp"
 
 namespace scanbed::sim {
+
+/// How much larger everything is than in a picture of 720 rows, for which it is laid out.
+double picture_scale(const Canvas& canvas);
+
+/// What the caption and the legend leave of a picture, in pixels.
+Eigen::AlignedBox2d middle_of(const Canvas& canvas);
 
 /// One line at the top of the picture; shortened with "..." where it is too long.
 void draw_caption(Canvas& canvas, const std::string& caption);

@@ -62,7 +62,7 @@ void draw_polar_grid(ScenePen& pen, const Eigen::Isometry3d& X_WS, double reach_
 
 void label_polar_grid(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry3d& X_WS,
                       double reach_m) {
-  const double scale = std::clamp(canvas.height_px() / 720.0, 0.6, 4.0);
+  const double scale = picture_scale(canvas);
   const TextStyle style{{0.25, 0.27, 0.32, 1.0}, 11.5 * scale};
   const double step_m = ring_step_m(reach_m);
   for (int ring = 1; ring * step_m <= reach_m + 1e-9; ++ring) {

@@ -14,7 +14,8 @@ namespace scanbed::sim {
 /// thinner than features. @param X_WS  laser: x forward, z up.
 void draw_truth(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Truth& truth, double scale);
 
-/// Writes the ids of those objects beside them; what lies outside the picture is left out.
+/// Writes the ids of those objects beside them, clear of each other where there is room; what lies outside
+/// the picture is left out.
 void draw_labels(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry3d& X_WS, const Truth& truth);
 
 }  // namespace scanbed::sim
