@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -204,10 +206,21 @@ FilmOptions to_film(const RenderTexts& texts) {
   return film;
 }
 
+// A name that says what it is must say what is written.
+void check_ending(std::string_view flag, const std::string& file, std::string_view ending) {
+  std::string found = std::filesystem::path(file).extension();
+  std::transform(found.begin(), found.end(), found.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (found.empty() || found == ending) return;
+  throw InputError(fmt::format("{}: expected a name that ends in {}, found {}", flag, ending, quote(file)));
+}
+
 RenderCommand to_render(const RenderTexts& texts) {
   if (texts.out.empty() && texts.gif.empty() && texts.mp4.empty()) {
     throw InputError("nothing to write: name a file with -o, --gif or --mp4; see 'scanbed render --help'");
   }
+  check_ending("--out", texts.out, ".png");
+  check_ending("--gif", texts.gif, ".gif");
+  check_ending("--mp4", texts.mp4, ".mp4");
   check_all_differ(std::array{FileToWrite{"--out", to_path(texts.out)},
                               FileToWrite{"--gif", to_path(texts.gif)},
                               FileToWrite{"--mp4", to_path(texts.mp4)}});

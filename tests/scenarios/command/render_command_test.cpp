@@ -66,6 +66,22 @@ TEST(RenderTest, RefusesFilmsThatCannotBe) {
   EXPECT_EQ(run_program({"render", "static_hallway", "--gif", "/nowhere/hall.gif"}).exit_code, 3);
 }
 
+TEST(RenderTest, RefusesNamesOfOtherFormats) {
+  const testing::TemporaryFolder folder;
+  for (const auto& [flag, name, ending] :
+       {std::array{"-o", "hall.jpg", "--out: expected a name that ends in .png"},
+        {"--gif", "hall.mp4", "--gif: expected a name that ends in .gif"},
+        {"--mp4", "hall.gif", "--mp4: expected a name that ends in .mp4"}}) {
+    const std::string file = (folder / name).string();
+    const Outcome outcome = run_program({"render", "static_hallway", flag, file});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, "scanbed: error: " + std::string(ending) + ", found '" + file + "'\n");
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+  EXPECT_EQ(run_program({"render", "static_hallway", "-o", (folder / "HALL.PNG").string()}).exit_code, 0);
+  EXPECT_EQ(run_program({"render", "static_hallway", "-o", (folder / "hall").string()}).exit_code, 0);
+}
+
 TEST(RenderTest, OverlaysChangeThePicture) {
   const testing::TemporaryFolder folder;
   const std::string file = (folder / "hall.png").string();
