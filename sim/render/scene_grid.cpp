@@ -30,13 +30,14 @@ double ring_step_m(double reach_m) {
 
 void draw_cartesian_grid(ScenePen& pen, const Eigen::AlignedBox3d& bounds, double scale) {
   std::vector<ScenePen::Polyline3> lines;
-  const Vector3d least = bounds.min().array().floor();
-  const Vector3d most = bounds.max().array().ceil();
-  for (double x_m = least.x(); x_m <= most.x(); x_m += 1.0) {
-    lines.push_back({{x_m, least.y(), 0.0}, {x_m, most.y(), 0.0}});
+  const Eigen::Vector2i least_m = bounds.min().head<2>().array().floor().cast<int>();
+  const Eigen::Vector2i most_m = bounds.max().head<2>().array().ceil().cast<int>();
+  const auto point = [](int x_m, int y_m) { return Vector3d(x_m, y_m, 0.0); };
+  for (int x_m = least_m.x(); x_m <= most_m.x(); ++x_m) {
+    lines.push_back({point(x_m, least_m.y()), point(x_m, most_m.y())});
   }
-  for (double y_m = least.y(); y_m <= most.y(); y_m += 1.0) {
-    lines.push_back({{least.x(), y_m, 0.0}, {most.x(), y_m, 0.0}});
+  for (int y_m = least_m.y(); y_m <= most_m.y(); ++y_m) {
+    lines.push_back({point(least_m.x(), y_m), point(most_m.x(), y_m)});
   }
   pen.stroke_all(lines, {kGridColor, 1.2 * scale});
 }

@@ -23,7 +23,8 @@ Vector3d lift(const Vector2d& p_SQ) {
   return {p_SQ.x(), p_SQ.y(), 0.0};
 }
 
-ScenePen::Polyline3 outline_W(const Eigen::Isometry3d& X_WS, const ObjectTruth& object) {
+// In the world's frame.
+ScenePen::Polyline3 outline(const Eigen::Isometry3d& X_WS, const ObjectTruth& object) {
   if (object.primitive == Primitive::kLine) return {X_WS * lift(object.from_m), X_WS * lift(object.to_m)};
   constexpr int kNumEdges = 48;
   ScenePen::Polyline3 ring;
@@ -55,7 +56,7 @@ std::vector<Canvas::Polyline> leaders(std::span<const Label> labels, std::span<c
 
 void draw_truth(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Truth& truth, double scale) {
   for (const ObjectTruth& object : truth.objects) {
-    if (is_shown(object)) pen.stroke(outline_W(X_WS, object), {kTruthColor, 1.6 * scale});
+    if (is_shown(object)) pen.stroke(outline(X_WS, object), {kTruthColor, 1.6 * scale});
   }
 }
 
