@@ -27,7 +27,7 @@ Isometry3d upright(const Pose2& X_WB) {
 Isometry3d along(const Vector3d& p_WQ, const Vector3d& z_W) {
   Isometry3d X = Isometry3d::Identity();
   X.translation() = p_WQ;
-  double q[4];  // w, x, y, z; Eigen's own way from one vector to another takes 12 s to compile
+  double q[4];  // w, x, y, z; Eigen's own way from one vector to another takes long to compile
   mju_quatZ2Vec(q, z_W.data());
   X.linear() = Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
   return X;
