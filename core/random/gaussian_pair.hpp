@@ -18,12 +18,12 @@ namespace scanbed {
 /// @par Source  ln m = 2 artanh((m - 1) / (m + 1)), its power series at m in [sqrt 1/2, sqrt 2].
 inline double minus_log_of_unit(std::uint32_t word) {
   constexpr double kLn2 = 0.693147180559945309417;
-  const double u = static_cast<double>(word) + 0.5;  // of 2^32
+  const auto u = static_cast<double>(word) + 0.5;  // of 2^32
   // Adding the upper bits of sqrt 1/2's distance to 1 moves the exponent up where the mantissa is above
   // sqrt 2.
   const auto bits = std::bit_cast<std::uint64_t>(u);
   const std::uint64_t lifted = bits + 0x00095F619980C433ULL;
-  const double exponent = static_cast<double>(static_cast<std::int32_t>(lifted >> 52) - 1023 - 32);
+  const auto exponent = static_cast<double>(static_cast<std::int32_t>(lifted >> 52) - 1023 - 32);
   const double m = std::bit_cast<double>((lifted & 0x000FFFFFFFFFFFFFULL) + 0x3FE6A09E667F3BCDULL);
   const double s = (m - 1.0) / (m + 1.0);
   const double s2 = s * s;

@@ -16,6 +16,7 @@ const std::array<std::string, 2> kNames = {"rooms", "corridors"};
 
 World random_rooms(std::uint64_t seed, double laser_height_m) {
   WorldBuilder b(seed, "random_rooms");
+  b.world.robot.laser_height_m = laser_height_m;
   b.put_hall({b.dice.uniform(3.0, 6.0), b.dice.uniform(2.5, 4.5)}, 0.35);
   b.put_robot();
   if (b.dice.chance(0.5)) b.put_partition();
@@ -26,7 +27,7 @@ World random_rooms(std::uint64_t seed, double laser_height_m) {
   for (int i = b.dice.whole(0, 1); i > 0; --i) b.put_bench();
   for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_cylinder("trash_can", {0.13, 0.19});
   for (int i = b.dice.whole(0, 1); i > 0; --i) b.put_standing_person();
-  for (int i = b.dice.whole(0, 3); i > 0; --i) b.put_walker(seed, laser_height_m);
+  for (int i = b.dice.whole(0, 3); i > 0; --i) b.put_walker(seed);
   return b.world;
 }
 
@@ -91,6 +92,7 @@ void put_corridor(WorldBuilder& b) {
 
 World random_corridors(std::uint64_t seed, double laser_height_m) {
   WorldBuilder b(seed, "random_corridors");
+  b.world.robot.laser_height_m = laser_height_m;
   put_corridor(b);
   const double start_m = b.dice.uniform(0.6, 1.5);
   b.world.robot.X_WR = {{-b.half_m.x() + start_m, b.dice.uniform(-0.3, 0.3)}, 0.0};
@@ -100,7 +102,7 @@ World random_corridors(std::uint64_t seed, double laser_height_m) {
   for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_cylinder("trash_can", {0.13, 0.19});
   for (int i = b.dice.whole(0, 1); i > 0; --i) b.put_box("post", {0.1, 0.2}, 1.0);
   for (int i = b.dice.whole(0, 1); i > 0; --i) b.put_chair();
-  for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_walker(seed, laser_height_m);
+  for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_walker(seed);
   return b.world;
 }
 

@@ -20,8 +20,8 @@ enum class WorldKind {
 /// "rooms" and "corridors", in the order of WorldKind.
 std::span<const std::string> world_kind_names();
 
-/// A new world for each seed, the same for the same one: all but the laser on the robot, whose height says
-/// how thick legs are. It validates.
+/// A new world for each seed, the same for the same one: all but how the laser is tilted. Its height says how
+/// thick legs are. People run into nothing and nobody for the first 30 s. It validates.
 World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m);
 
 }  // namespace scanbed::sim

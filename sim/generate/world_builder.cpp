@@ -9,6 +9,7 @@
 #include "core/geometry/polar.hpp"
 #include "sim/world/body.hpp"
 #include "sim/world/furniture.hpp"
+#include "sim/world/rehearsal.hpp"
 #include "sim/world/solid_geometry.hpp"
 
 namespace scanbed::sim {
@@ -19,6 +20,7 @@ using Eigen::Vector2d;
 constexpr double kMinGap_m = 0.3;  // between things that stand free
 constexpr double kRobotClearance_m = 0.4;
 constexpr double kPersonRoom_m = 0.4;
+constexpr double kRehearsal_s = 30.0;
 constexpr int kTrials = 40;
 
 }  // namespace
@@ -123,18 +125,27 @@ void WorldBuilder::put_bench() {
   for (Solid& part : bench_parts(bench)) world.solids.push_back(part);
 }
 
-void WorldBuilder::put_standing_person() {
-  Vector2d p_m;
-  if (!place(kPersonRoom_m, p_m)) return;
-  const Vector2d along_m = polar(dice.uniform(-kPi, kPi), 0.3);
-  Walker walker;
-  walker.id = next_id("person");
-  walker.path.points_m = {p_m, p_m + along_m};
-  walker.leg_radius_m = dice.uniform(0.045, 0.075);
+bool WorldBuilder::let_walk(const Walker& walker) {
   world.walkers.push_back(walker);
+  if (!first_collision(world, kRehearsal_s)) return true;
+  world.walkers.pop_back();
+  return false;
 }
 
-void WorldBuilder::put_walker(std::uint64_t seed, double laser_height_m) {
+void WorldBuilder::put_standing_person() {
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Vector2d p_m;
+    if (!place(kPersonRoom_m, p_m)) return;
+    const Vector2d along_m = polar(dice.uniform(-kPi, kPi), 0.3);
+    Walker walker;
+    walker.id = next_id("person");
+    walker.path.points_m = {p_m, p_m + along_m};
+    walker.leg_radius_m = dice.uniform(0.045, 0.075);
+    if (let_walk(walker)) return;
+  }
+}
+
+void WorldBuilder::put_walker(std::uint64_t seed) {
   constexpr double kShortest_m = 1.5;
   for (int trial = 0; trial < kTrials; ++trial) {
     Vector2d from_m;
@@ -146,9 +157,8 @@ void WorldBuilder::put_walker(std::uint64_t seed, double laser_height_m) {
     walker.path = {.points_m = {from_m, to_m}, .loop = true};
     walker.avoids = true;
     const Body body = draw_body(static_cast<Person>(dice.whole(0, 2)), seed, walker.id);
-    give_body(walker, body, static_cast<Clothing>(dice.whole(0, 2)), laser_height_m);
-    world.walkers.push_back(walker);
-    return;
+    give_body(walker, body, static_cast<Clothing>(dice.whole(0, 2)), world.robot.laser_height_m);
+    if (let_walk(walker)) return;
   }
 }
 

@@ -13,7 +13,8 @@
 namespace scanbed::sim {
 
 /// Builds a random world: first the walls, then the robot, then one thing after the other, each clear of
-/// those before it and of the robot's way. What fits nowhere in 40 trials is left out.
+/// those before it and of the robot's way; last the people, who run into nothing and nobody for the first
+/// 30 s. What fits nowhere in 40 trials is left out.
 class WorldBuilder {
  public:
   /// @param purpose  the same seed gives other worlds for another purpose.
@@ -47,8 +48,8 @@ class WorldBuilder {
   void put_bench();
   void put_standing_person();
 
-  /// To and fro on a straight way. @param laser_height_m  at which its legs are measured.
-  void put_walker(std::uint64_t seed, double laser_height_m);
+  /// To and fro on a straight way.
+  void put_walker(std::uint64_t seed);
 
   /// A place inside the hall with so much room around it.
   bool place(double radius_m, Eigen::Vector2d& p_m);
@@ -57,6 +58,7 @@ class WorldBuilder {
   bool is_clear(const Eigen::Vector2d& p_m, double radius_m) const;
   bool is_clear_way(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m, double radius_m) const;
   double distance_to_robot_m(const Eigen::Vector2d& p_m) const;
+  bool let_walk(const Walker& walker);  // false where it would run into something
 
   int num_things_ = 0;
   double way_m_ = 0.0;  // that the robot will drive, straight ahead

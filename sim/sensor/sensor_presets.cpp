@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/sensor/sensor_presets.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/errors/input_error.hpp"
@@ -120,8 +121,9 @@ SensorOptions sensor_preset(std::string_view name) {
 }
 
 std::vector<std::string> sensor_preset_names() {
-  std::vector<std::string> names;
-  for (const NamedSensor& sensor : kSensors) names.emplace_back(sensor.name);
+  std::vector<std::string> names(kSensors.size());
+  std::transform(kSensors.begin(), kSensors.end(), names.begin(),
+                 [](const NamedSensor& sensor) { return std::string(sensor.name); });
   return names;
 }
 

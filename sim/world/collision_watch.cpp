@@ -27,6 +27,15 @@ std::array<Vector2d, 2> legs_of(const WalkerState& walker) {
   return {walker.left_leg_m, walker.right_leg_m};
 }
 
+bool do_legs_overlap(const WalkerState& a, const WalkerState& b, double radii_m) {
+  for (const Vector2d& leg_m : legs_of(a)) {
+    for (const Vector2d& its_m : legs_of(b)) {
+      if (overlap(leg_m, its_m, radii_m)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string to_string(const Collision& collision) {
@@ -90,17 +99,19 @@ void CollisionWatch::look_at_legs(const WorldState& state, std::size_t walker) {
     for (const Obstacle& obstacle : obstacles_) {
       if (obstacle.stops_legs && overlap(obstacle.outline, leg_m, radius_m)) meet(self, obstacle.thing);
     }
-    for (std::size_t other = walker + 1; other < state.walkers.size(); ++other) {
-      if (!state.walkers[other].present) continue;
-      for (const Vector2d& its_m : legs_of(state.walkers[other])) {
-        if (overlap(leg_m, its_m, radius_m + leg_radius_m_[other])) meet(self, 1 + static_cast<int>(other));
-      }
+  }
+  for (std::size_t other = walker + 1; other < state.walkers.size(); ++other) {
+    const double radii_m = leg_radius_m_[walker] + leg_radius_m_[other];
+    if (state.walkers[other].present &&
+        do_legs_overlap(state.walkers[walker], state.walkers[other], radii_m)) {
+      meet(self, 1 + static_cast<int>(other));
     }
   }
 }
 
 void CollisionWatch::look(const WorldState& state) {
-  if (has_looked_ && state.time_s - time_s_ < kBetweenLooks_s) return;
+  constexpr double kSlack_s = 1e-9;  // 0.15 - 0.1 is a little less than 0.05
+  if (has_looked_ && state.time_s - time_s_ < kBetweenLooks_s - kSlack_s) return;
   has_looked_ = true;
   time_s_ = state.time_s;
   look_at_robot(state);

@@ -28,9 +28,10 @@ double SideStep::to_the_left_m(double time_s) const {
   for (std::size_t i = 0; i < all_->size(); ++i) {
     const Gait& other = (*all_)[i];
     if (static_cast<int>(i) == self_) continue;
-    const Vector2d p_PO = X_WP.inverse() * other.pose_at(time_s).p_m;
-    const double near = 1.0 - p_PO.squaredNorm() / (kReach_m * kReach_m);
+    const Vector2d p_WO = other.pose_at(time_s).p_m;
+    const double near = 1.0 - (p_WO - X_WP.p_m).squaredNorm() / (kReach_m * kReach_m);
     if (near <= 0.0) continue;
+    const Vector2d p_PO = X_WP.inverse() * p_WO;
     const double apart_sq = (velocity_m_per_s(self, time_s) - velocity_m_per_s(other, time_s)).squaredNorm();
     const double side = (p_PO.y() + kEarSide_m) / kEarSide_m;
     aside_m -= other.presence(time_s) * near * near * apart_sq / (apart_sq + kSameWay_m2_per_s2) *

@@ -76,8 +76,10 @@ double Gait::turned_rad(const Moment& now) const {
 Pose2 Gait::pose(const Moment& now) const {
   const double walked_m = (now.time_s - now.stretch.start_s) * speed_m_per_s_;
   const Pose2 X_WP = path_.pose_at(std::min(now.stretch.from_m + walked_m, now.stretch.to_m));
-  const double aside_m = now.aside != nullptr ? now.aside->to_the_left_m(now.time_s) : 0.0;
-  return {X_WP * Vector2d(0.0, lateral_m_ + aside_m), X_WP.theta_rad + turned_rad(now)};
+  const double left_m = lateral_m_ + (now.aside != nullptr ? now.aside->to_the_left_m(now.time_s) : 0.0);
+  // Most keep to their path most of the time: no sine and cosine for these.
+  const Vector2d p_m = left_m == 0.0 ? X_WP.p_m : X_WP * Vector2d(0.0, left_m);
+  return {p_m, X_WP.theta_rad + turned_rad(now)};
 }
 
 Pose2 Gait::pose_at(double time_s) const {

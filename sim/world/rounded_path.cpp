@@ -67,6 +67,7 @@ RoundedPath::RoundedPath(const Path& path) : loop_(path.loop) {
          .length_m = edge.length_m - cut_before_m - cut_behind_m,
          .p_WA = edge.from_m + cut_before_m * along,
          .heading_rad = edge.heading_rad,
+         .along = along,
          .curvature_per_m = 0.0,
          .sharp_before_rad = sharp ? turn_before_rad : 0.0,
          .sharp_behind_rad = sharp ? edge.turn_rad : 0.0});
@@ -75,6 +76,7 @@ RoundedPath::RoundedPath(const Path& path) : loop_(path.loop) {
            .length_m = path.round_m * std::abs(edge.turn_rad),
            .p_WA = edge.from_m + (edge.length_m - cut_behind_m) * along,
            .heading_rad = edge.heading_rad,
+           .along = along,
            .curvature_per_m = std::copysign(1.0 / path.round_m, edge.turn_rad)});
     }
     turn_before_rad = edge.turn_rad;
@@ -89,11 +91,10 @@ Pose2 RoundedPath::pose_at(double distance_m) const {
                                        [](double s, const Piece& piece) { return s < piece.start_m; });
   const Piece& piece = *(behind - 1);
   const double along_m = std::min(s_m - piece.start_m, piece.length_m);
-  const Vector2d x_axis(std::cos(piece.heading_rad), std::sin(piece.heading_rad));
-  const Vector2d y_axis(-x_axis.y(), x_axis.x());
   if (piece.curvature_per_m != 0.0) {
+    const Vector2d across(-piece.along.y(), piece.along.x());
     const double turned_rad = piece.curvature_per_m * along_m;
-    return {piece.p_WA + (std::sin(turned_rad) * x_axis + (1.0 - std::cos(turned_rad)) * y_axis) /
+    return {piece.p_WA + (std::sin(turned_rad) * piece.along + (1.0 - std::cos(turned_rad)) * across) /
                              piece.curvature_per_m,
             wrap_to_pi(piece.heading_rad + turned_rad)};
   }
@@ -102,7 +103,7 @@ Pose2 RoundedPath::pose_at(double distance_m) const {
   const double before = at_start ? 0.0 : std::max(0.0, 1.0 - along_m / zone_m);
   const double behind_ratio = std::max(0.0, 1.0 - (piece.length_m - along_m) / zone_m);
   const double turn_rad = 0.5 * (behind_ratio * piece.sharp_behind_rad - before * piece.sharp_before_rad);
-  return {piece.p_WA + along_m * x_axis, wrap_to_pi(piece.heading_rad + turn_rad)};
+  return {piece.p_WA + along_m * piece.along, wrap_to_pi(piece.heading_rad + turn_rad)};
 }
 
 void validate_path(const Path& path, std::string_view name) {

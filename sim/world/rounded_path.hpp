@@ -12,8 +12,7 @@ namespace scanbed::sim {
 ///
 /// A loop starts behind the arc of its first corner. At a sharp corner the position turns at once, while
 /// the heading turns evenly from 0.15 m before to 0.15 m behind (on shorter pieces from half their length):
-/// nobody's hips flip over. (The
-/// start of a loop is such a corner from the second time round.)
+/// nobody's hips flip over. (The start of a loop is such a corner from the second time round.)
 class RoundedPath {
  public:
   /// @pre validate_path accepts it.
@@ -33,6 +32,7 @@ class RoundedPath {
     double length_m;
     Eigen::Vector2d p_WA;           ///< its first point
     double heading_rad;             ///< at its first point
+    Eigen::Vector2d along;          ///< likewise, as a unit vector
     double curvature_per_m;         ///< positive to the left
     double sharp_before_rad = 0.0;  ///< turn at the sharp corner before it
     double sharp_behind_rad = 0.0;

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <vector>
 
+#include "sim/world/crowd.hpp"
 #include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
 #include "sim/world/solid_geometry.hpp"
@@ -16,6 +19,18 @@ namespace {
 constexpr WorldKind kKinds[] = {WorldKind::kRooms, WorldKind::kCorridors};
 constexpr int kNumSeeds = 500;
 constexpr double kHeight_m = 0.28;
+
+// Of each seed; drawn once, as it takes a while.
+const std::vector<World>& worlds(WorldKind kind) {
+  const auto draw = [](WorldKind drawn_kind) {
+    std::vector<World> drawn;
+    for (int seed = 0; seed < kNumSeeds; ++seed) drawn.push_back(random_world(drawn_kind, seed, kHeight_m));
+    return drawn;
+  };
+  static const std::vector<World> rooms = draw(WorldKind::kRooms);
+  static const std::vector<World> corridors = draw(WorldKind::kCorridors);
+  return kind == WorldKind::kRooms ? rooms : corridors;
+}
 
 // All that tells one world from another, in one text.
 std::string fingerprint(const World& world) {
@@ -34,10 +49,20 @@ std::string fingerprint(const World& world) {
   return text + std::to_string(world.robot.X_WR.theta_rad);
 }
 
+double between_legs_m(const WalkerState& a, const WalkerState& b) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector2d& p_m : {a.left_leg_m, a.right_leg_m}) {
+    for (const Eigen::Vector2d& q_m : {b.left_leg_m, b.right_leg_m}) {
+      least_m = std::min(least_m, (p_m - q_m).norm());
+    }
+  }
+  return least_m;
+}
+
 TEST(RandomWorldTest, ValidatesForEverySeed) {
   for (const WorldKind kind : kKinds) {
     for (int seed = 0; seed < kNumSeeds; ++seed) {
-      EXPECT_NO_THROW(random_world(kind, seed, kHeight_m).validate()) << seed;
+      EXPECT_NO_THROW(worlds(kind)[seed].validate()) << seed;
     }
   }
 }
@@ -46,7 +71,7 @@ TEST(RandomWorldTest, IsTheSameForTheSameSeedAndAnotherForAnother) {
   std::set<std::string> seen;
   for (const WorldKind kind : kKinds) {
     for (int seed = 0; seed < kNumSeeds; ++seed) {
-      const std::string world = fingerprint(random_world(kind, seed, kHeight_m));
+      const std::string world = fingerprint(worlds(kind)[seed]);
       EXPECT_EQ(world, fingerprint(random_world(kind, seed, kHeight_m)));
       EXPECT_TRUE(seen.insert(world).second) << seed;
     }
@@ -55,7 +80,7 @@ TEST(RandomWorldTest, IsTheSameForTheSameSeedAndAnotherForAnother) {
 
 TEST(RandomWorldTest, NothingStandsInTheRobotsWay) {
   for (int seed = 0; seed < kNumSeeds; ++seed) {
-    const World world = random_world(WorldKind::kCorridors, seed, kHeight_m);
+    const World& world = worlds(WorldKind::kCorridors)[seed];
     const DrivePlan plan(world.robot);
     for (double time_s = 0.0; time_s < plan.end_s(); time_s += 0.5) {
       for (const Solid& solid : world.solids) {
@@ -68,7 +93,7 @@ TEST(RandomWorldTest, NothingStandsInTheRobotsWay) {
 TEST(RandomWorldTest, NobodyWalksThroughAThing) {
   for (const WorldKind kind : kKinds) {
     for (int seed = 0; seed < kNumSeeds; ++seed) {
-      const World world = random_world(kind, seed, kHeight_m);
+      const World& world = worlds(kind)[seed];
       for (const Walker& walker : world.walkers) {
         const Gait gait(walker, 0, kHeight_m);
         for (double time_s = 0.0; time_s < 8.0; time_s += 0.25) {
@@ -81,12 +106,35 @@ TEST(RandomWorldTest, NobodyWalksThroughAThing) {
   }
 }
 
+TEST(RandomWorldTest, NobodyWalksIntoAnybody) {
+  constexpr double kMostOverlap_m = 0.01;  // grazing, between two looks
+  std::vector<WalkerState> people;
+  int num_passes = 0;
+  for (const WorldKind kind : kKinds) {
+    for (int seed = 0; seed < kNumSeeds; ++seed) {
+      const World& world = worlds(kind)[seed];
+      const Crowd crowd(world, kHeight_m);
+      for (double time_s = 0.0; time_s < 30.0; time_s += 0.05) {
+        crowd.states_at(time_s, people);
+        for (std::size_t i = 0; i < people.size(); ++i) {
+          for (std::size_t k = 0; k < i; ++k) {
+            const double radii_m = world.walkers[i].leg_radius_m + world.walkers[k].leg_radius_m;
+            EXPECT_GT(between_legs_m(people[i], people[k]), radii_m - kMostOverlap_m) << seed;
+            num_passes += (people[i].X_WP.p_m - people[k].X_WP.p_m).norm() < 0.7;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(num_passes, 100);  // shoulder to shoulder they do walk
+}
+
 TEST(RandomWorldTest, HoldsWhatItPromisesInMostSeeds) {
   for (const WorldKind kind : kKinds) {
     std::set<std::string> labels;
     int num_walkers = 0;
     for (int seed = 0; seed < 100; ++seed) {
-      const World world = random_world(kind, seed, kHeight_m);
+      const World& world = worlds(kind)[seed];
       for (const Solid& solid : world.solids) labels.insert(solid.label);
       num_walkers += static_cast<int>(world.walkers.size());
     }

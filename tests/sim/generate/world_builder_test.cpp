@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "sim/world/rehearsal.hpp"
 #include "sim/world/solid_geometry.hpp"
 
 namespace scanbed::sim {
@@ -37,6 +41,36 @@ TEST(WorldBuilderTest, LeavesOutWhatFitsNowhere) {
   EXPECT_EQ(b.world.solids.size(), 1u);
   Vector2d p_m;
   EXPECT_FALSE(b.place(0.9, p_m));
+}
+
+TEST(WorldBuilderTest, LeavesOutPeopleWhoWouldRunIntoSomebody) {
+  const auto lane = [](int seed) {
+    WorldBuilder b(seed, "test");
+    b.world.robot.X_WR.p_m = {20, 0};
+    b.put_hall({3.4, 0.9}, 0.0);
+    return b;
+  };
+  // So stout and so close to each other that nobody else finds a way, or a place to stand.
+  std::vector<Walker> crowd;
+  for (const double x_m : {-2.6, -1.3, 0.0, 1.3, 2.6}) {
+    Walker stout;
+    stout.id = "stout" + std::to_string(crowd.size());
+    stout.path.points_m = {{x_m, 0}, {x_m + 0.01, 0}};
+    stout.leg_radius_m = 0.6;
+    crowd.push_back(stout);
+  }
+  for (int seed = 0; seed < 20; ++seed) {
+    WorldBuilder alone = lane(seed);
+    alone.put_walker(seed);
+    alone.put_standing_person();
+    EXPECT_EQ(alone.world.walkers.size(), 2u) << seed;
+    WorldBuilder crowded = lane(seed);
+    crowded.world.walkers = crowd;
+    EXPECT_FALSE(first_collision(crowded.world, 1.0));
+    crowded.put_walker(seed);
+    crowded.put_standing_person();
+    EXPECT_EQ(crowded.world.walkers.size(), crowd.size()) << seed;
+  }
 }
 
 TEST(WorldBuilderTest, GivesEachThingAnIdOfItsOwn) {

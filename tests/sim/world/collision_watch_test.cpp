@@ -131,5 +131,18 @@ TEST_F(CollisionWatchTest, LooksAtMostTwentyTimesASecond) {
   EXPECT_EQ(watch.collisions().size(), 1u);
 }
 
+TEST_F(CollisionWatchTest, LooksAtEachOfTwentyTimesASecond) {
+  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  for (int meeting = 1; meeting < 100; ++meeting) {
+    CollisionWatch watch(world_);
+    for (int k = 0; k <= 100; ++k) {
+      state_.time_s = k / 20.0;
+      state_.X_WR.p_m = {k == meeting ? 0.8 : 0.0, 0};
+      watch.look(state_);
+    }
+    EXPECT_EQ(watch.collisions(), (std::vector<Collision>{{meeting / 20.0, "robot", "post"}}));
+  }
+}
+
 }  // namespace
 }  // namespace scanbed::sim
