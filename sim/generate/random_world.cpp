@@ -14,9 +14,10 @@ using Eigen::Vector2d;
 
 const std::array<std::string, 2> kNames = {"rooms", "corridors"};
 
-World random_rooms(std::uint64_t seed, double laser_height_m) {
+World random_rooms(std::uint64_t seed, double laser_height_m, double rehearsal_s) {
   WorldBuilder b(seed, "random_rooms");
   b.world.robot.laser_height_m = laser_height_m;
+  b.rehearsal_s = rehearsal_s;
   b.put_hall({b.dice.uniform(3.0, 6.0), b.dice.uniform(2.5, 4.5)}, 0.35);
   b.put_robot();
   if (b.dice.chance(0.5)) b.put_partition();
@@ -90,9 +91,10 @@ void put_corridor(WorldBuilder& b) {
   b.add("wall", chain);
 }
 
-World random_corridors(std::uint64_t seed, double laser_height_m) {
+World random_corridors(std::uint64_t seed, double laser_height_m, double rehearsal_s) {
   WorldBuilder b(seed, "random_corridors");
   b.world.robot.laser_height_m = laser_height_m;
+  b.rehearsal_s = rehearsal_s;
   put_corridor(b);
   const double start_m = b.dice.uniform(0.6, 1.5);
   b.world.robot.X_WR = {{-b.half_m.x() + start_m, b.dice.uniform(-0.3, 0.3)}, 0.0};
@@ -112,9 +114,9 @@ std::span<const std::string> world_kind_names() {
   return kNames;
 }
 
-World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m) {
-  return kind == WorldKind::kRooms ? random_rooms(seed, laser_height_m)
-                                   : random_corridors(seed, laser_height_m);
+World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m, double rehearsal_s) {
+  return kind == WorldKind::kRooms ? random_rooms(seed, laser_height_m, rehearsal_s)
+                                   : random_corridors(seed, laser_height_m, rehearsal_s);
 }
 
 }  // namespace scanbed::sim

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "sim/generate/world_builder.hpp"
 #include "sim/world/world.hpp"
 
 namespace scanbed::sim {
@@ -21,7 +22,10 @@ enum class WorldKind {
 std::span<const std::string> world_kind_names();
 
 /// A new world for each seed, the same for the same one: all but how the laser is tilted. Its height says how
-/// thick legs are. People run into nothing and nobody for the first 30 s. It validates.
-World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m);
+/// thick legs are. It validates.
+///
+/// @param rehearsal_s  so long people run into nothing and nobody; 0: they may from the start.
+World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m,
+                   double rehearsal_s = kRehearsal_s);
 
 }  // namespace scanbed::sim

@@ -20,7 +20,6 @@ using Eigen::Vector2d;
 constexpr double kMinGap_m = 0.3;  // between things that stand free
 constexpr double kRobotClearance_m = 0.4;
 constexpr double kPersonRoom_m = 0.4;
-constexpr double kRehearsal_s = 30.0;
 constexpr int kTrials = 40;
 
 }  // namespace
@@ -127,7 +126,7 @@ void WorldBuilder::put_bench() {
 
 bool WorldBuilder::let_walk(const Walker& walker) {
   world.walkers.push_back(walker);
-  if (!first_collision(world, kRehearsal_s)) return true;
+  if (rehearsal_s <= 0.0 || !first_collision(world, rehearsal_s)) return true;
   world.walkers.pop_back();
   return false;
 }

@@ -12,9 +12,11 @@
 
 namespace scanbed::sim {
 
+inline constexpr double kRehearsal_s = 30.0;  ///< longer than what scenarios take
+
 /// Builds a random world: first the walls, then the robot, then one thing after the other, each clear of
-/// those before it and of the robot's way; last the people, who run into nothing and nobody for the first
-/// 30 s. What fits nowhere in 40 trials is left out.
+/// those before it and of the robot's way; last the people, who run into nothing and nobody while their walk
+/// is rehearsed. What fits nowhere in 40 trials is left out.
 class WorldBuilder {
  public:
   /// @param purpose  the same seed gives other worlds for another purpose.
@@ -22,6 +24,7 @@ class WorldBuilder {
 
   WorldDice dice;
   World world;
+  double rehearsal_s = kRehearsal_s;
   Eigen::Vector2d half_m = Eigen::Vector2d::Zero();  ///< things stand in |x| <= half.x, |y| <= half.y
 
   /// "column4": an id that no other thing has.
