@@ -31,6 +31,7 @@ World room(std::uint64_t seed) {
   b.put_robot();
   for (int i = b.dice.whole(2, 5); i > 0; --i) b.put_cylinder("column", {0.04, 1.0});
   for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_box("box", {0.3, 1.0}, 2.0);
+  b.rehearsal_s = 1.0;  // two may stand there: not in each other
   for (int i = b.dice.whole(0, 2); i > 0; --i) b.put_standing_person();
   return b.world;
 }

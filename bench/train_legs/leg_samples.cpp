@@ -40,7 +40,7 @@ constexpr double kLaserHeight_m = 0.28;
 constexpr double kTurningShare = 0.3;
 constexpr double kMaxTurn_rad_per_s = 2.2;
 constexpr double kBetweenScans_s = 2.0;  // a walker's legs stand otherwise then
-constexpr double kRehearsal_s = 0.0;     // people in each other are few, and 30 000 rehearsals take minutes
+constexpr double kNoRehearsal_s = 0.0;   // people in each other are few, and 30 000 rehearsals take minutes
 
 using Judge = std::function<LegAnswer(const LegSample&)>;
 
@@ -222,7 +222,7 @@ void sample_random_worlds(std::uint64_t first_seed, int num_worlds, const LegSam
     options.duration_s = 1.5 * kBetweenScans_s;
     options.seed = seed;
     const sim::WorldKind kind = seed % 3 == 0 ? sim::WorldKind::kCorridors : sim::WorldKind::kRooms;
-    sim::World world = sim::random_world(kind, seed, kLaserHeight_m, kRehearsal_s);
+    sim::World world = sim::random_world(kind, seed, kLaserHeight_m, kNoRehearsal_s);
     turn_robot(seed, world, options.lms);
     sim::SimulatedLms laser(std::move(world), options);
     while (laser.next(scan, RangeSensor::Seconds(0.0))) {

@@ -25,6 +25,7 @@ class FeatureDetector {
   /// @throws InputError where the options do not validate.
   FeatureDetector(const DetectorOptions& options, const LegForest& leg_forest);
 
+  /// One that was moved from may only be assigned to or destroyed.
   FeatureDetector(FeatureDetector&&) noexcept;
   FeatureDetector& operator=(FeatureDetector&&) noexcept;
   ~FeatureDetector();

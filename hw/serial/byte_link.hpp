@@ -3,11 +3,19 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
+#include "core/errors/sensor_fault.hpp"
 #include "hw/serial/bytes.hpp"
 #include "hw/serial/stop_signal.hpp"
 
 namespace scanbed::hw {
+
+/// A baud that a port cannot do.
+class UnsupportedBaud : public SensorFault {
+ public:
+  explicit UnsupportedBaud(const std::string& what) : SensorFault(Kind::kDisconnected, what) {}
+};
 
 /// Bytes to and from a device, over a serial port or a network.
 class ByteLink {
@@ -28,7 +36,7 @@ class ByteLink {
   /// Forgets what arrived and was not read.
   virtual void flush_input() = 0;
 
-  /// @throws SensorFault where the link has bauds, but not this one. Links without bauds ignore it.
+  /// @throws UnsupportedBaud where the link has bauds, but not this one. Links without bauds ignore it.
   virtual void set_baud(int /*baud*/) {}
 
   /// What a byte takes on the wire; 0 for links that are no wire at a baud.

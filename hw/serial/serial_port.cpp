@@ -143,7 +143,8 @@ void SerialPort::set_baud(int baud) {
   const bool has_taken_it =
       ::ioctl(fd_.get(), TCGETS2, &now) == 0 && std::abs(static_cast<int>(now.c_ospeed) - baud) * 50 <= baud;
   if (!has_taken_it) {
-    throw fault(path_ + ": the port cannot do " + std::to_string(baud) + " baud; choose another with ?baud=");
+    throw UnsupportedBaud(path_ + ": the port cannot do " + std::to_string(baud) +
+                          " baud; choose another with ?baud=");
   }
   baud_ = baud;
 }

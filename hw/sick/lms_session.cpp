@@ -148,7 +148,11 @@ std::vector<int> probe_order(int first_baud) {
 
 LmsIdentity find_lms(LmsLink& link, std::span<const int> bauds) {
   for (const int baud : bauds) {
-    link.set_baud(baud);
+    try {
+      link.set_baud(baud);
+    } catch (const UnsupportedBaud&) {
+      continue;  // plain RS-232 cannot do 500000
+    }
     if (answers(link)) return identify(link, baud);
   }
   throw SensorFault(

@@ -115,6 +115,7 @@ struct EmulateCommand {
   int baud = 9600;
   std::optional<double> duration_s;  ///< empty: until it is interrupted
   std::optional<std::uint64_t> seed;
+  sim::Backend backend = sim::Backend::kPlanar;
   std::vector<Setting> settings;
 };
 

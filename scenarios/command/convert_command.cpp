@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
 #include <exception>
 #include <memory>
 
@@ -6,6 +9,7 @@
 #include "core/errors/sensor_fault.hpp"
 #include "hw/recording/open_recording.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
@@ -40,7 +44,10 @@ ExitCode execute(const ConvertCommand& command) {
   }
   writer->finish();
   log_note(to_text(reader->counts()));
-  if (fault) std::rethrow_exception(fault);
+  if (fault) {
+    log_note(fmt::format("{} holds the scans up to there", command.to.string()));
+    std::rethrow_exception(fault);
+  }
   return is_interrupted() ? kExitInterrupted : kExitFine;
 }
 
@@ -51,13 +58,16 @@ Usage convert_usage() {
       {"FILES", "", "What to read, with options as behind log:, and what to write", files.get(), true, 2}};
   usage.footer =
       R"(Formats, by ending: .jsonl (keeps everything), .mcap, .bag (ROS 1), .log .clf (CARMEN), .player .plog;
-.gz behind a text format packs it. Reading goes by content.
+.gz behind a text format packs it. Reading goes by content. A recording that is cut off or damaged becomes a whole
+one of the scans up to there; the exit code is 2 then.
 Examples:
   scanbed convert hall.log hall.mcap
   scanbed convert 'walk.bag?only=/scan&from=2&to=10' walk.jsonl.gz
   scanbed convert killed.mcap.part whole.mcap)";
   usage.command = [files] {
-    return ConvertCommand{parse_laser_spec("log:" + files->front()), files->back()};
+    LaserSpec from = parse_laser_spec("log:" + files->front());
+    check_files(std::array{FlagFile{"FILES", files->back()}}, std::array{FlagFile{"convert", from.target}});
+    return ConvertCommand{std::move(from), files->back()};
   };
   return usage;
 }

@@ -122,16 +122,17 @@ struct DetectTexts {
 DetectCommand to_detect(const DetectTexts& texts) {
   std::optional<std::int64_t> limit;
   if (!texts.limit.empty()) limit = to_count("--limit", texts.limit, 1);
-  check_all_differ(std::array{FileToWrite{"--out", to_path(texts.out)},
-                              FileToWrite{"--record", to_path(texts.record.text)}});
-  return {.laser = parse_laser_spec(texts.laser),
+  LaserSpec laser = parse_laser_spec(texts.laser);
+  check_files(std::array{FlagFile{"--out", to_path(texts.out)}, texts.record.file()},
+              std::array{laser_file(laser), texts.detector.file()});
+  return {.laser = std::move(laser),
           .detector = texts.detector.value(),
           .settings = texts.settings.values(),
           .limit = limit,
           .track = texts.track,
           .interpret = texts.interpret,
           .out = to_path(texts.out),
-          .record = to_path(texts.record.text),
+          .record = texts.record.file().path,
           .backend = texts.backend.value()};
 }
 
@@ -147,7 +148,7 @@ ExitCode execute(const DetectCommand& command) {
                              .interpreter = options.interpret});
   const OpenedLaser laser = open_laser(command, settings.scenario, detector);
   Output output(command.out);
-  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
+  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, preset_of(options));
   if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);
   Recorder recorder(command.record, metadata);
   std::exception_ptr fault;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -30,15 +31,18 @@ struct EmulateTexts {
   std::string baud = "9600";
   std::string duration;
   SeedFlag seed;
+  BackendFlag backend;
   SettingFlag settings;
 };
 
 EmulateCommand to_emulate(const EmulateTexts& texts) {
+  check_files(std::array{FlagFile{"--truth", to_path(texts.truth)}}, scenario_files(texts.scenarios));
   EmulateCommand command{.scenario = texts.scenarios.front(),
                          .link = texts.link,
-                         .truth = to_path(texts.truth),
+                         .truth = to_file("--truth", texts.truth),
                          .is_unpaced = texts.is_unpaced,
                          .seed = texts.seed.value(),
+                         .backend = texts.backend.value(),
                          .settings = texts.settings.values()};
   for (const std::string& fault : texts.faults) command.faults.push_back(hw::parse_lms_fault(fault));
   const std::int64_t address = to_count("--address", texts.address, 0);
@@ -61,11 +65,12 @@ ExitCode execute(const EmulateCommand& command) {
   options.power_on_baud = command.baud;
   options.is_paced = !command.is_unpaced;
   options.faults = command.faults;
+  simulate(scenario, command.backend, {});  // what it cannot be shows now, not to the first host
   std::optional<TruthWriter> truth;
   if (command.truth) truth.emplace(*command.truth);
   std::vector<double> range_m;
   hw::EmulatorServer server(
-      options, scenario_scans(scenario),
+      options, scenario_scans(scenario, command.backend),
       [&](const hw::SentScan& sent) {
         if (!truth || sent.truth == nullptr) return;
         range_m.resize(sent.words.size());
@@ -73,6 +78,7 @@ ExitCode execute(const EmulateCommand& command) {
         truth->write(sent.number, range_m, *sent.truth);
       },
       command.link);
+  if (truth) truth->begin();  // only now: another emulator at this name may be writing there
   write_whole(std::nullopt, server.port() + "\n");
   log_note(fmt::format("a simulated LMS 200 is at {}; end it with Ctrl-C", server.port()));
   work_until_interrupted([&](const hw::StopSignal& stop) { server.run(stop); }, command.duration_s);
@@ -92,6 +98,7 @@ Usage emulate_usage() {
       {"--baud", "BAUD", "After power-on", &texts->baud},
       {"--for", "SECONDS", "End after so many seconds", &texts->duration},
       texts->seed.flag(),
+      texts->backend.flag(),
       texts->settings.flag(),
   };
   usage.footer = R"(Prints the port, then serves it. The world begins anew where the scenario ends.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <memory>
 
 #include "core/errors/input_error.hpp"
@@ -44,6 +45,7 @@ Usage export_usage() {
   usage.footer = R"(Example:
   scanbed export static_hallway --mjcf hall.xml)";
   usage.command = [texts] {
+    check_files(std::array{FlagFile{"--mjcf", to_path(texts->mjcf)}}, scenario_files(texts->scenarios));
     return ExportCommand{.scenario = texts->scenarios.front(),
                          .mjcf = texts->mjcf,
                          .seed = texts->seed.value(),

@@ -15,12 +15,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Also where a link leads that leads nowhere yet.
+fs::path resolved(fs::path path) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  path = fs::absolute(path, error);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return fs::weakly_canonical(path, error);
+}
+
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   const fs::file_status status = fs::status(a, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) return false;
-  return fs::weakly_canonical(fs::absolute(a, error), error) ==
-         fs::weakly_canonical(fs::absolute(b, error), error);
+  return resolved(a) == resolved(b);
+}
+
+bool is_same_file(const FlagFile& a, const FlagFile& b) {
+  return a.path && b.path && is_same_file(*a.path, *b.path);
 }
 
 }  // namespace
@@ -51,14 +65,39 @@ std::optional<std::filesystem::path> to_path(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
 }
 
-void check_all_differ(std::span<const FileToWrite> files) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
+std::optional<std::filesystem::path> to_file(std::string_view flag, const std::string& text) {
+  if (text == "-") throw InputError(fmt::format("{}: cannot be standard output; name a file", flag));
+  return to_path(text);
+}
+
+void check_files(std::span<const FlagFile> written, std::span<const FlagFile> read) {
+  const auto refuse = [](const FlagFile& file, std::string_view why) {
+    throw InputError(fmt::format("{}: {}: {}; name another one", file.flag, file.path->string(), why));
+  };
+  for (std::size_t i = 0; i < written.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (!files[i].path || !files[k].path || !is_same_file(*files[i].path, *files[k].path)) continue;
-      throw InputError(fmt::format("{}: {}: is the file of {}, too; name another one", files[i].flag,
-                                   files[i].path->string(), files[k].flag));
+      if (!is_same_file(written[i], written[k])) continue;
+      refuse(written[i], fmt::format("is the file of {}, too", written[k].flag));
+    }
+    for (const FlagFile& source : read) {
+      if (!is_same_file(written[i], source)) continue;
+      refuse(written[i], fmt::format("is what {} reads", source.flag));
     }
   }
+}
+
+FlagFile laser_file(const LaserSpec& spec) {
+  if (spec.is_device() || spec.target.empty()) return {"--laser", {}};
+  return {"--laser", spec.target};
+}
+
+std::vector<FlagFile> scenario_files(std::span<const std::string> scenarios) {
+  std::vector<FlagFile> files;
+  std::error_code error;
+  for (const std::string& scenario : scenarios) {
+    if (fs::is_regular_file(scenario, error)) files.push_back({"SCENARIO", scenario});
+  }
+  return files;
 }
 
 }  // namespace scanbed::scenarios

@@ -221,9 +221,12 @@ RenderCommand to_render(const RenderTexts& texts) {
   check_ending("--out", texts.out, ".png");
   check_ending("--gif", texts.gif, ".gif");
   check_ending("--mp4", texts.mp4, ".mp4");
-  check_all_differ(std::array{FileToWrite{"--out", to_path(texts.out)},
-                              FileToWrite{"--gif", to_path(texts.gif)},
-                              FileToWrite{"--mp4", to_path(texts.mp4)}});
+  std::vector<FlagFile> read = scenario_files(texts.scenarios);
+  read.push_back(texts.detector.file());
+  check_files(
+      std::array{FlagFile{"--out", to_path(texts.out)}, FlagFile{"--gif", to_file("--gif", texts.gif)},
+                 FlagFile{"--mp4", to_file("--mp4", texts.mp4)}},
+      read);
   return {.scenario = texts.scenarios.front(),
           .at_s = to_time_s("--at", texts.at),
           .picture = to_picture(texts),

@@ -98,10 +98,13 @@ void check_laser(const RunCommand& command) {
     if (command.laser.target.empty()) return;
     throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
   }
-  if (command.seeds && command.seeds->count() > 1) {
-    throw InputError("--seed: several seeds only for the simulated laser; found --laser " +
-                     command.laser.text);
-  }
+  const auto refuse = [&](std::string_view what) {
+    throw InputError(
+        fmt::format("{} only for the simulated laser; found --laser {}", what, command.laser.text));
+  };
+  if (command.out) refuse("--out: pictures are");
+  if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
+  if (command.seeds && command.seeds->count() > 1) refuse("--seed: several seeds");
 }
 
 void check_tasks(const RunCommand& command, const std::vector<Task>& tasks) {
@@ -218,17 +221,19 @@ std::vector<std::string> scenarios_of(const RunTexts& texts) {
 }
 
 RunCommand to_run(const RunTexts& texts) {
-  check_all_differ(std::array{FileToWrite{"--json", to_path(texts.json)},
-                              FileToWrite{"--record", to_path(texts.record.text)}});
+  LaserSpec laser = parse_laser_spec(texts.laser);
+  std::vector<FlagFile> read = scenario_files(texts.scenarios);
+  read.insert(read.end(), {laser_file(laser), {"--truth", to_path(texts.truth)}, texts.detector.file()});
+  check_files(std::array{FlagFile{"--json", to_path(texts.json)}, texts.record.file()}, read);
   return {.scenarios = scenarios_of(texts),
-          .laser = parse_laser_spec(texts.laser),
+          .laser = std::move(laser),
           .seeds = texts.seeds.value(),
           .num_workers = texts.jobs.value(),
           .detector = texts.detector.value(),
           .settings = texts.settings.values(),
           .json = to_path(texts.json),
-          .out = to_path(texts.out),
-          .record = to_path(texts.record.text),
+          .out = to_file("--out", texts.out),
+          .record = texts.record.file().path,
           .truth = to_path(texts.truth),
           .quiet = texts.is_quiet,
           .tables = texts.tables,
@@ -255,7 +260,7 @@ ExitCode execute(const RunCommand& command) {
                      if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
                      FeatureDetector detector(options.detector);
                      const AnalystOptions analysis{command.track, false, options.track, options.interpret};
-                     const Processing processing{detector, analysis, command.detector.preset};
+                     const Processing processing{detector, analysis, preset_of(options)};
                      runs[i] = run_one(command, {*task.scenario, processing, task.out, tasks.size() == 1});
                      task.scenario.reset();
                    },

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/command/run_one.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "core/errors/input_error.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
@@ -18,16 +21,16 @@
 namespace scanbed::scenarios {
 namespace {
 
-Recorder open_recorder(const RunCommand& command, const Scenario& scenario) {
-  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, command.detector.preset);
-  if (command.record) add_scenario(metadata, command.scenarios.front(), scenario.seed);
+Recorder open_recorder(const RunCommand& command, const Run& run) {
+  hw::RecordingMetadata metadata = recording_metadata(command.laser.text, run.processing.preset);
+  if (command.record) add_scenario(metadata, command.scenarios.front(), run.scenario.seed);
   return {command.record, metadata};
 }
 
 // Tells `see` of each scan that was judged, if there is such.
 RunResult run_on(RangeSensor& sensor, const RunCommand& command, const Run& run,
                  const std::function<void(const LaserScan&, const Features&)>& see = {}) {
-  Recorder recorder = open_recorder(command, run.scenario);
+  Recorder recorder = open_recorder(command, run);
   std::optional<Progress> progress;
   if (run.shows_progress) progress.emplace(run.scenario.name);
   RunResult result = run_scenario(run.scenario, sensor, run.processing,
@@ -72,6 +75,11 @@ RunAndPictures run_on_device(const RunCommand& command, const Run& run) {
                                                  .truth = command.truth,
                                                  .warn = log_warning});
   RunAndPictures done{.result = run_on(sensor, command, run), .pictures = {}};
+  if (command.truth && done.result.num_scans > 0 && sensor.num_truths() == 0) {
+    throw InputError(
+        fmt::format("--truth {}: is of none of the {} scans; allowed: what emulate wrote for these",
+                    command.truth->string(), done.result.num_scans));
+  }
   // An interrupt mostly comes while a scan is waited for, and then no observer notices it.
   done.result.interrupted = done.result.interrupted || is_interrupted();
   return done;

@@ -77,7 +77,12 @@ sim::Backend BackendFlag::value() const {
 }
 
 Flag RecordFlag::flag() {
-  return {"--record", "FILE", "Write scans, features and truth; the ending is the format", &text};
+  return {"--record", "FILE",
+          "Write scans; the ending is the format, .jsonl and .mcap keep features and truth, too", &text};
+}
+
+FlagFile RecordFlag::file() const {
+  return {"--record", to_path(text)};
 }
 
 Flag DetectorFlags::preset_flag() {
@@ -90,6 +95,10 @@ Flag DetectorFlags::config_flag() {
 
 DetectorChoice DetectorFlags::value() const {
   return {.preset = preset, .config = to_path(config)};
+}
+
+FlagFile DetectorFlags::file() const {
+  return {"--config", to_path(config)};
 }
 
 Flag one_scenario(std::vector<std::string>& texts) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/usage.hpp"
 
 namespace scanbed::scenarios {
@@ -57,6 +58,7 @@ struct RecordFlag {
   std::string text;
 
   Flag flag();
+  FlagFile file() const;
 };
 
 /// `--preset NAME`, `--config FILE`.
@@ -67,6 +69,7 @@ struct DetectorFlags {
   Flag preset_flag();
   Flag config_flag();
   DetectorChoice value() const;
+  FlagFile file() const;  ///< of --config
 };
 
 /// The argument SCENARIO, once.

@@ -204,10 +204,14 @@ DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const
   return {.options = options, .idle = idle_of(given, options)};
 }
 
+std::string preset_of(const AnalysisOptions& options) {
+  return std::string(kPipelineWords.at(static_cast<std::size_t>(options.detector.pipeline)));
+}
+
 std::string options_yaml(const DetectorChoice& choice, std::span<const Setting> settings) {
   const AnalysisOptions options = detector_settings(choice, settings).options;
   std::string text =
-      fmt::format("# Options of preset {}, for --config FILE and --set NAME=VALUE.\n", choice.preset);
+      fmt::format("# Options of preset {}, for --config FILE and --set NAME=VALUE.\n", preset_of(options));
   std::string_view group;
   for (const Option& option : option_table()) {
     if (!option.is_read(options)) continue;  // would only change nothing

@@ -49,6 +49,9 @@ std::string near_detector_setting_hint(std::string_view path);
 ///                    file that is empty or gives one option under both its names.
 DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings);
 
+/// The preset whose pipeline these options choose, whatever was changed in it.
+std::string preset_of(const AnalysisOptions& options);
+
 /// All options of a preset as YAML for `--config`, with units, effects and Table II's names beside them.
 ///
 /// @throws InputError for an unknown preset.

@@ -25,11 +25,11 @@ hw::EmulatorOptions emulator_options(const Scenario& scenario) {
   return options;
 }
 
-hw::ScanSource scenario_scans(const Scenario& scenario) {
+hw::ScanSource scenario_scans(const Scenario& scenario, sim::Backend backend) {
   const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
-  return [scenario, is_near](const hw::LmsStreamSettings& settings) -> std::unique_ptr<RangeSensor> {
+  return [scenario, backend, is_near](const hw::LmsStreamSettings& settings) -> std::unique_ptr<RangeSensor> {
     sim::SimulationOptions options{
-        .lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed};
+        .lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed, .backend = backend};
     const double fov_rad = radians(settings.variant.fov_deg);
     const double step_rad = radians(settings.variant.resolution_cdeg / 100.0);
     // What is the same stays as the scenario has it, to the last bit.

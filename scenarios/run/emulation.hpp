@@ -4,6 +4,7 @@
 #include "hw/sick/emulator_options.hpp"
 #include "hw/sick/scan_feed.hpp"
 #include "scenarios/load/scenario.hpp"
+#include "sim/engine/make_engine.hpp"
 
 namespace scanbed::scenarios {
 
@@ -12,6 +13,6 @@ hw::EmulatorOptions emulator_options(const Scenario& scenario);
 
 /// The scenario's scans as whatever the emulator's host configures. With the scenario's own settings they are
 /// those of its simulated laser, bit for bit.
-hw::ScanSource scenario_scans(const Scenario& scenario);
+hw::ScanSource scenario_scans(const Scenario& scenario, sim::Backend backend);
 
 }  // namespace scanbed::scenarios

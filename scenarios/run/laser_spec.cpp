@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "core/errors/input_error.hpp"
@@ -116,8 +117,10 @@ using SetOption = void (*)(LaserSpec&, const SpecOption&);
 
 /// Cuts "TARGET?name=value&name=value".
 void parse_target(LaserSpec& spec, std::string_view rest, SetOption set_option) {
-  // The last one: a file's name may hold a question mark, an option cannot.
-  const std::size_t mark = std::min(rest.rfind('?'), rest.size());
+  // The last one: a name may hold a question mark, an option cannot. That of a file that is there is one.
+  std::error_code error;
+  const bool is_name = std::filesystem::is_regular_file(rest, error);
+  const std::size_t mark = is_name ? rest.size() : std::min(rest.rfind('?'), rest.size());
   spec.target = rest.substr(0, mark);
   std::string_view options = rest.substr(std::min(mark + 1, rest.size()));
   std::set<std::string_view> names;

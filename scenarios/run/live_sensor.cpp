@@ -65,6 +65,7 @@ bool LiveSensor::next(LaserScan& scan, Seconds /*timeout*/) {
   ++num_scans_;
   watch(scan.health);
   truth_ = reader_ ? reader_->find(scan.range_m) : device_->truth();
+  num_truths_ += truth_ != nullptr ? 1 : 0;
   return true;
 }
 

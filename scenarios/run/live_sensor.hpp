@@ -37,10 +37,13 @@ class LiveSensor final : public RangeSensor {
   const ScanGeometry& geometry() const override;
 
   /// Waits as options.patience_s says, whatever `timeout`.
-  /// @throws SensorFault of the device; its kTimeout once patience is out.
+  /// @throws SensorFault of the device; its kTimeout once patience is out. InputError where the truth's file
+  ///         holds something else.
   bool next(LaserScan& scan, Seconds timeout) override;
 
   const Truth* truth() const override { return truth_; }
+
+  std::int64_t num_truths() const { return num_truths_; }  ///< of scans so far
 
  private:
   bool wait_for_scan(LaserScan& scan);
@@ -52,6 +55,7 @@ class LiveSensor final : public RangeSensor {
   const Truth* truth_ = nullptr;
   SensorHealth health_;
   std::int64_t num_scans_ = 0;
+  std::int64_t num_truths_ = 0;
 };
 
 }  // namespace scanbed::scenarios

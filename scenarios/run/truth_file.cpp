@@ -135,8 +135,20 @@ std::optional<TruthLine> parse_truth_line(const std::string& line) {
   }
 }
 
-TruthWriter::TruthWriter(const std::filesystem::path& path) : path_(path), file_(path) {
+TruthWriter::TruthWriter(const std::filesystem::path& path)
+    : path_(path), is_new_(!std::filesystem::exists(path)), file_(path, std::ios::app) {
   check();
+}
+
+TruthWriter::~TruthWriter() {
+  std::error_code error;
+  if (is_new_ && !has_begun_) std::filesystem::remove(path_, error);
+}
+
+void TruthWriter::begin() {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path_, error)) std::filesystem::resize_file(path_, 0, error);
+  has_begun_ = true;
 }
 
 void TruthWriter::check() const {
@@ -145,11 +157,12 @@ void TruthWriter::check() const {
 }
 
 void TruthWriter::write(std::int64_t scan, std::span<const double> range_m, const Truth& truth) {
+  if (!has_begun_) begin();
   file_ << to_truth_line(scan, range_hash(range_m), truth) << std::flush;
   check();
 }
 
-TruthReader::TruthReader(const std::filesystem::path& path) : file_(path) {
+TruthReader::TruthReader(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_)
     throw InputError(fmt::format("--truth {}: cannot be read: {}", path.string(), std::strerror(errno)));
 }
@@ -163,6 +176,8 @@ std::optional<TruthLine> TruthReader::next_line() {
     }
     const std::string line = std::exchange(partial_, {});
     if (auto parsed = parse_truth_line(line)) return parsed;
+    throw InputError(fmt::format(
+        "--truth {}: holds a line that is no truth of a scan; allowed: what emulate wrote", path_.string()));
   }
   return std::nullopt;
 }

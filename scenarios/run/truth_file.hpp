@@ -26,11 +26,19 @@ struct TruthLine {
 };
 std::optional<TruthLine> parse_truth_line(const std::string& line);
 
-/// Writes truth beside the wire: each line is out before the scan that it belongs to.
+/// Writes truth beside the wire: each line is out before the scan that it belongs to. What a file held before
+/// stays until begin(); one that is new and never begun is removed again.
 class TruthWriter {
  public:
   /// @throws OutputFault where the file cannot be made.
   explicit TruthWriter(const std::filesystem::path& path);
+  ~TruthWriter();
+
+  TruthWriter(const TruthWriter&) = delete;
+  TruthWriter& operator=(const TruthWriter&) = delete;
+
+  /// Empties the file; else the first line does.
+  void begin();
 
   /// @throws OutputFault where the line cannot be written.
   void write(std::int64_t scan, std::span<const double> range_m, const Truth& truth);
@@ -39,6 +47,8 @@ class TruthWriter {
   void check() const;
 
   std::filesystem::path path_;
+  bool is_new_;
+  bool has_begun_ = false;
   std::ofstream file_;
 };
 
@@ -50,11 +60,13 @@ class TruthReader {
   explicit TruthReader(const std::filesystem::path& path);
 
   /// Truth of the scan; nullptr where no further line has it. Lines before it are then not looked at again.
+  /// @throws InputError for a line that is no truth.
   const Truth* find(std::span<const double> range_m);
 
  private:
   std::optional<TruthLine> next_line();
 
+  std::filesystem::path path_;
   std::ifstream file_;
   std::string partial_;  // a line whose end is not written yet
   TruthLine current_;

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "sim/generate/world_builder.hpp"
 #include "sim/world/world.hpp"
 
 namespace scanbed::sim {
@@ -21,10 +20,14 @@ enum class WorldKind {
 /// "rooms" and "corridors", in the order of WorldKind.
 std::span<const std::string> world_kind_names();
 
+inline constexpr double kRehearsal_s = 30.0;  ///< longer than random_rooms and random_corridors take
+
 /// A new world for each seed, the same for the same one: all but how the laser is tilted. Its height says how
 /// thick legs are. It validates.
 ///
-/// @param rehearsal_s  so long people run into nothing and nobody; 0: they may from the start.
+/// @param rehearsal_s  so long nobody runs into anything or anybody, but for what first_collision() passes;
+/// 0:
+///                     they may from the start.
 World random_world(WorldKind kind, std::uint64_t seed, double laser_height_m,
                    double rehearsal_s = kRehearsal_s);
 

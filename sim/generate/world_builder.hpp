@@ -12,11 +12,9 @@
 
 namespace scanbed::sim {
 
-inline constexpr double kRehearsal_s = 30.0;  ///< longer than what scenarios take
-
 /// Builds a random world: first the walls, then the robot, then one thing after the other, each clear of
-/// those before it and of the robot's way; last the people, who run into nothing and nobody while their walk
-/// is rehearsed. What fits nowhere in 40 trials is left out.
+/// those before it and of the robot's way; last the people, with whom a rehearsal must show no collision.
+/// What fits nowhere in 40 trials is left out.
 class WorldBuilder {
  public:
   /// @param purpose  the same seed gives other worlds for another purpose.
@@ -24,7 +22,7 @@ class WorldBuilder {
 
   WorldDice dice;
   World world;
-  double rehearsal_s = kRehearsal_s;
+  double rehearsal_s = 0.0;                          ///< of everybody who is put; 0: none
   Eigen::Vector2d half_m = Eigen::Vector2d::Zero();  ///< things stand in |x| <= half.x, |y| <= half.y
 
   /// "column4": an id that no other thing has.
@@ -61,7 +59,7 @@ class WorldBuilder {
   bool is_clear(const Eigen::Vector2d& p_m, double radius_m) const;
   bool is_clear_way(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m, double radius_m) const;
   double distance_to_robot_m(const Eigen::Vector2d& p_m) const;
-  bool let_walk(const Walker& walker);  // false where it would run into something
+  bool let_walk(const Walker& walker);  // false where the rehearsal shows a collision; then nobody is added
 
   int num_things_ = 0;
   double way_m_ = 0.0;  // that the robot will drive, straight ahead

@@ -18,8 +18,8 @@ constexpr double kSubsteps_per_s = 300.0;
 const World& validated(const World& world) {
   world.validate();
   for (const double tilt_rad : {world.robot.laser_pitch_rad, world.robot.laser_roll_rad}) {
-    require(tilt_rad == 0.0, "robot: tilt of the laser, in rad", tilt_rad,
-            "0 in the planar engine; the spatial one takes any");
+    require(tilt_rad == 0.0, "sensor: pitch_deg and roll_deg", degrees(tilt_rad),
+            "0 in the planar engine; --backend spatial takes any");
   }
   return world;
 }

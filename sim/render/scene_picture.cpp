@@ -96,10 +96,8 @@ struct ScenePainter::Impl {
     if (options.grid == Grid::kCartesian && !has_plan_scale()) draw_cartesian_grid(pen, bounds, scale);
   }
 
-  void draw_marks(ScenePen& pen, const Eigen::Isometry3d& X_WS, const LaserScan& scan,
-                  const Features& features, const Truth* truth) const {
-    draw_grid(pen, X_WS);
-    draw_scan(pen, X_WS, scan, overlay_style());
+  void draw_optional(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Features& features,
+                     const Truth* truth) const {
     if (truth != nullptr && options.truth) draw_truth(pen, X_WS, *truth, overlay_style().scale);
     if (options.features) draw_features(pen, X_WS, features, overlay_style());
   }
@@ -129,7 +127,9 @@ Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const 
 
   Canvas canvas(scene.image);
   ScenePen pen(canvas, camera, scene.depth_m, self.ink());
-  self.draw_marks(pen, X_WS, scan, features, truth);
+  self.draw_grid(pen, X_WS);
+  draw_scan(pen, X_WS, scan, self.overlay_style());
+  self.draw_optional(pen, X_WS, features, truth);
   if (self.options.grid == Grid::kPolar) label_polar_grid(canvas, camera, X_WS, self.reach_m());
   if (truth != nullptr && self.options.labels) draw_labels(canvas, camera, X_WS, *truth);
   draw_caption(canvas, caption);

@@ -45,7 +45,8 @@ std::vector<Canvas::Polyline> leaders(std::span<const Label> labels, std::span<c
   std::vector<Canvas::Polyline> lines;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Vector2d end_px = labels[i].anchor_px.cwiseMax(boxes[i].min()).cwiseMin(boxes[i].max());
-    if ((end_px - labels[i].anchor_px).norm() > labels[i].size_px.y()) {
+    constexpr double kBeside = 1.2;  // heights of a label; the nearest places are one away
+    if ((end_px - labels[i].anchor_px).norm() > kBeside * labels[i].size_px.y()) {
       lines.push_back({labels[i].anchor_px, end_px});
     }
   }

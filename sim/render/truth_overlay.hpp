@@ -15,7 +15,7 @@ namespace scanbed::sim {
 void draw_truth(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Truth& truth, double scale);
 
 /// Writes the ids of those objects beside them, clear of each other where there is room; what lies outside
-/// the picture is left out.
+/// the picture's middle (see middle_of()) is left out.
 void draw_labels(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry3d& X_WS, const Truth& truth);
 
 }  // namespace scanbed::sim

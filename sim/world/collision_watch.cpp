@@ -10,7 +10,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kBetweenLooks_s = 0.05;
 constexpr double kSameMeeting_s = 1.0;
 constexpr int kRobot = 0;
 

@@ -11,6 +11,8 @@
 
 namespace scanbed::sim {
 
+inline constexpr double kBetweenLooks_s = 0.05;  ///< nothing moves far in that time
+
 /// Two things that the script takes into each other, and on through both.
 struct Collision {
   double time_s = 0.0;  ///< when they were first seen to meet
@@ -33,7 +35,7 @@ class CollisionWatch {
   /// @pre the world validates.
   explicit CollisionWatch(const World& world);
 
-  /// Looks at a state, unless the last look was less than 0.05 s before: nothing moves far in that time.
+  /// Looks at a state, unless the last look was less than kBetweenLooks_s before.
   /// Allocates only where something meets.
   /// @pre states come in the order of time.
   void look(const WorldState& state);

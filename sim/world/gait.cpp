@@ -106,7 +106,7 @@ Vector2d Gait::foot_m(const Moment& now, double side) const {
   const double walked_s = now.time_s - now.stretch.start_s;
   const double phase = walked_s / cycle_s(speed_m_per_s_) + 0.5 * kStanceRatio - late;
   const double cycle = std::floor(phase);
-  const Vector2d stands = footprint_m(now, cycle, side);
+  Vector2d stands = footprint_m(now, cycle, side);
   double swung = (phase - cycle - kStanceRatio) / (1.0 - kStanceRatio);
   if (swung <= 0.0) return stands;
   // The right foot starts from beside the left one, in the middle of its swing.

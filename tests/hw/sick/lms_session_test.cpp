@@ -73,6 +73,31 @@ TEST(LmsSessionTest, StreamsAsTheOptionsSay) {
   EXPECT_EQ(lms.baud(), 9600);
 }
 
+/// RS-232 as most machines have it, with nobody at it.
+class PlainPort final : public ByteLink {
+ public:
+  std::size_t read(std::span<std::uint8_t> /*buffer*/, double /*timeout_s*/, const StopSignal&) override {
+    return 0;
+  }
+  void write(ByteView /*bytes*/, const StopSignal&) override {}
+  void flush_input() override {}
+  void set_baud(int baud) override {
+    if (baud > 115200) throw UnsupportedBaud("the port cannot do this baud");
+  }
+};
+
+TEST(LmsSessionTest, PassesOverBaudsThatThePortCannotDo) {
+  PlainPort port;
+  const StopSignal stop;
+  LmsLink link(port, quick_driver("").patience, stop);
+  try {
+    find_lms(link, probe_order(9600));
+    ADD_FAILURE() << "found";
+  } catch (const SensorFault& fault) {
+    EXPECT_EQ(fault.kind(), SensorFault::Kind::kTimeout) << fault.what();
+  }
+}
+
 TEST(LmsSessionTest, EndsSoonWhereNobodyListens) {
   PseudoTerminal nobody({});
   SerialPort port(nobody.path());

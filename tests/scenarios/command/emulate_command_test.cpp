@@ -111,8 +111,10 @@ TEST_F(EmulateTest, EndsWhereItsTruthIsLost) {
 
 TEST_F(EmulateTest, RefusesTheNameOfAnotherThatRuns) {
   const auto first = start({});
-  const Outcome second = run_program({"emulate", "static_hallway", "--link", link()});
+  const std::string truth = testing::write_file(folder_ / "truth", "of the first");
+  const Outcome second = run_program({"emulate", "static_hallway", "--link", link(), "--truth", truth});
   EXPECT_EQ(second.exit_code, 3);
+  EXPECT_EQ(std::filesystem::file_size(truth), 12u);
   EXPECT_NE(second.err.find("another emulator"), std::string::npos) << second.err;
   EXPECT_TRUE(std::filesystem::exists(link()));
   first->send(SIGKILL);
@@ -136,6 +138,25 @@ TEST_F(EmulateTest, RefusesBadInputInOneLine) {
   EXPECT_NE(refused({"emulate", "static_hallway", "--link", file}).find("no symbolic link"),
             std::string::npos);
   EXPECT_NE(refused({"run", "static_hallway", "--truth", file}).find("--truth"), std::string::npos);
+  EXPECT_NE(refused({"emulate", "static_hallway", "--truth", "-"}).find("name a file"), std::string::npos);
+  EXPECT_NE(refused({"emulate", "static_hallway", "--set", "sensor.pitch_deg=20"}).find("--backend spatial"),
+            std::string::npos);
+}
+
+TEST_F(EmulateTest, TakesATiltedLaserInTheSpatialEngine) {
+  const Outcome outcome = run_program(
+      {"emulate", "static_hallway", "--set", "sensor.pitch_deg=20", "--backend", "spatial", "--for", "0.1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST_F(EmulateTest, ATruthOfOtherScansIsNone) {
+  const std::string truth = folder_ / "truth";
+  const std::string other = testing::write_file(folder_ / "other", "");
+  const auto emulator = start({"--truth", truth}, "v_corners");
+  const Outcome outcome =
+      run_program({"run", "v_corners", "--set", "duration=1", "--laser", laser(), "--truth", other});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find("other: is of none of the "), std::string::npos) << outcome.err;
 }
 
 }  // namespace

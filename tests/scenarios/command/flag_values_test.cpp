@@ -40,8 +40,8 @@ TEST(FlagValuesTest, RefuseOneFileForTwoOutputs) {
   std::filesystem::create_symlink("a", folder / "link");
   const auto error = [&](const std::filesystem::path& out, const std::filesystem::path& record) {
     return error_of([&] {
-      check_all_differ(
-          std::array{FileToWrite{"--out", out}, FileToWrite{"--json", {}}, FileToWrite{"--record", record}});
+      check_files(std::array{FlagFile{"--out", out}, FlagFile{"--json", {}}, FlagFile{"--record", record}},
+                  {});
     });
   };
   EXPECT_EQ(error("b.jsonl", "b.jsonl"), "--record: b.jsonl: is the file of --out, too; name another one");
@@ -50,6 +50,34 @@ TEST(FlagValuesTest, RefuseOneFileForTwoOutputs) {
   EXPECT_NE(error(folder / "new", folder / "./new"), "");
   EXPECT_EQ(error(folder / "a", folder / "b"), "");
   EXPECT_EQ(error("/dev/null", "/dev/null"), "");
+  std::filesystem::create_symlink("to_come", folder / "dangling");
+  EXPECT_NE(error(folder / "to_come", folder / "dangling"), "");
+}
+
+TEST(FlagValuesTest, RefuseAResultOverWhatIsRead) {
+  const testing::TemporaryFolder folder;
+  testing::write_file(folder / "a", "");
+  const auto error = [&](const std::filesystem::path& out, const std::filesystem::path& read) {
+    return error_of([&] {
+      check_files(std::array{FlagFile{"--out", out}}, std::array{FlagFile{"--laser", read}});
+    });
+  };
+  EXPECT_EQ(error("a.log", "./a.log"), "--out: a.log: is what --laser reads; name another one");
+  EXPECT_EQ(error(folder / "b", folder / "a"), "");
+  EXPECT_EQ(error("/dev/null", "/dev/null"), "");
+}
+
+TEST(FlagValuesTest, ALaserThatReadsAFileNamesIt) {
+  EXPECT_EQ(laser_file(parse_laser_spec("log:a.log?from=2")).path, "a.log");
+  EXPECT_EQ(laser_file(parse_laser_spec("sim:mine.yaml")).path, "mine.yaml");
+  EXPECT_EQ(laser_file(parse_laser_spec("sim")).path, std::nullopt);
+  EXPECT_EQ(laser_file(parse_laser_spec("sick:/dev/ttyUSB0")).path, std::nullopt);
+}
+
+TEST(FlagValuesTest, RefuseStandardOutputWhereAFileIsNeeded) {
+  EXPECT_EQ(error_of([] { to_file("--truth", "-"); }), "--truth: cannot be standard output; name a file");
+  EXPECT_EQ(to_file("--truth", "t"), "t");
+  EXPECT_EQ(to_file("--truth", ""), std::nullopt);
 }
 
 }  // namespace

@@ -33,6 +33,15 @@ TEST(OptionsCommandTest, ReadsWhatItPrints) {
   }
 }
 
+TEST(OptionsCommandTest, NamesThePresetWhosePipelineRuns) {
+  const testing::TemporaryFolder folder;
+  const Outcome paper = run_program({"options", "--preset", "paper"});
+  const auto file = testing::write_file(folder / "paper.yaml", paper.out);
+  EXPECT_EQ(run_program({"options", "--config", file.string()}).out, paper.out);
+  const Outcome robust = run_program({"options", "--preset", "paper", "--set", "pipeline=robust"});
+  EXPECT_TRUE(robust.out.starts_with("# Options of preset robust,")) << robust.out.substr(0, 60);
+}
+
 TEST(OptionsCommandTest, RefusesWhatIsNone) {
   EXPECT_EQ(run_program({"options", "--preset", "robst"}).exit_code, 2);
   const Outcome typo = run_program({"options", "--set", "track.gaet_m=0.2"});

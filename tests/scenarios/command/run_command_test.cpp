@@ -188,12 +188,35 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", scenario(kEasy), "--preset", "rubust"});
   refused({"run", scenario(kEasy), "--config", "/nowhere.yaml"});
   refused({"run", scenario(kEasy), "--json", "x.jsonl", "--record", "x.jsonl"});
+  // Nothing is written over what is read.
+  const std::string easy = scenario(kEasy);
+  EXPECT_NE(refused({"run", easy, "--json", easy}).find("is what SCENARIO reads"), std::string::npos);
+  const std::string log = testing::write_file(folder_ / "x.log", "FLASER\n");
+  EXPECT_NE(refused({"run", easy, "--laser", "log:" + log, "--json", log}).find("is what --laser reads"),
+            std::string::npos);
+  refused({"detect", "--laser", "log:" + log, "--out", log});
+  refused({"detect", "--laser", "log:" + log, "--record", log});
+  refused({"convert", log, log});
+  refused({"export", easy, "--mjcf", easy});
+  refused({"run", easy, "--laser", "log:" + log, "--out", (folder_ / "pictures").string()});
+  refused({"run", easy, "--laser", "log:" + log, "--backend", "spatial"});
+  refused({"run", easy, "--out", "-"});
   // A name with control characters stays one line too.
   refused({"run", "a\nb"});
   // Pictures of the one would overwrite those of the other, and the summary would take both for one.
   EXPECT_NE(refused({"run", scenario(kEasy), scenario(kEasy + "seed: 2\n", "t.yaml")})
                 .find("t.yaml: name: 'easy' is that of "),
             std::string::npos);
+}
+
+TEST_F(RunTest, HoldsAgainstTheGatesOfThePipelineThatRuns) {
+  const std::string file = scenario(
+      "schema: 1\nname: gates\nduration: 1\nworld: [{id: c, cylinder: {at: [2, 0], r: 0.3}, label: column}]\n"
+      "score: {circle: {need: [{preset: robust, truths: 1}, {preset: paper, truths: 1000}]}}\n");
+  EXPECT_EQ(run_program({"run", file}).exit_code, 0);
+  const Outcome paper = run_program({"run", file, "--set", "pipeline=paper"});
+  EXPECT_EQ(paper.exit_code, 1) << paper.out << paper.err;
+  EXPECT_NE(paper.out.find("preset paper"), std::string::npos) << paper.out;
 }
 
 TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {

@@ -27,7 +27,7 @@ TEST(EmulationTest, ComesUpAsTheScenariosSensor) {
 }
 
 TEST(EmulationTest, GivesWhatTheHostConfigures) {
-  const auto source = scenario_scans(hallway());
+  const auto source = scenario_scans(hallway(), sim::Backend::kPlanar);
   LaserScan scan;
   EXPECT_TRUE(source({{180, 25}, RangeUnit::kMillimetre})->next(scan, {}));
   EXPECT_EQ(scan.num_beams(), 721);
@@ -41,7 +41,7 @@ TEST(EmulationTest, TheWireChangesNothing) {
   hw::EmulatorOptions options = emulator_options(scenario);
   options.is_paced = false;
   options.power_on_baud = 500000;
-  tests::RunningEmulator emulator(options, scenario_scans(scenario));
+  tests::RunningEmulator emulator(options, scenario_scans(scenario, sim::Backend::kPlanar));
   hw::SickLms laser(tests::patient_driver(emulator.port()));
   sim::SimulatedLms simulated(
       scenario.world, {.lms = scenario.lms, .duration_s = scenario.duration_s, .seed = scenario.seed});

@@ -78,6 +78,9 @@ TEST(ParseLaserSpecTest, ReadsOtherSensors) {
 
 TEST(ParseLaserSpecTest, CutsAtTheLastQuestionMark) {
   EXPECT_EQ(parse_laser_spec("log:what?.log?only=FLASER").target, "what?.log");
+  const testing::TemporaryFolder folder;
+  const std::string file = testing::write_file(folder / "what?.log", "");
+  EXPECT_EQ(parse_laser_spec("log:" + file).target, file);
 }
 
 TEST(ParseLaserSpecTest, RefusesWithWhatToDo) {

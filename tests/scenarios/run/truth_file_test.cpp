@@ -107,6 +107,28 @@ TEST(TruthFileTest, TellsWhichFileCannotBeUsedAndWhy) {
             "--truth /no/such/file: cannot be written: No such file or directory");
 }
 
+TEST(TruthFileTest, RefusesFilesOfSomethingElse) {
+  const testing::TemporaryFolder folder;
+  const std::string file = testing::write_file(folder / "x", "#!/bin/sh\n");
+  TruthReader reader(file);
+  EXPECT_EQ(testing::error_of([&] { reader.find(ranges(0)); }),
+            "--truth " + file + ": holds a line that is no truth of a scan; allowed: what emulate wrote");
+}
+
+TEST(TruthFileTest, LeavesAFileAsItWasUntilItBegins) {
+  const testing::TemporaryFolder folder;
+  const std::string old = testing::write_file(folder / "old", "precious");
+  { const TruthWriter writer(old); }
+  EXPECT_EQ(std::filesystem::file_size(old), 8u);
+  { const TruthWriter writer(folder / "new"); }
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+  {
+    TruthWriter writer(old);
+    writer.write(0, ranges(0), some_truth(0));
+  }
+  EXPECT_NE(TruthReader(old).find(ranges(0)), nullptr);
+}
+
 TEST(TruthFileTest, TellsOfALineThatIsLost) {
   TruthWriter writer("/dev/full");
   EXPECT_EQ(testing::error_of<OutputFault>([&] { writer.write(0, ranges(0), some_truth(0)); }),

@@ -46,6 +46,7 @@ TEST(WorldBuilderTest, LeavesOutWhatFitsNowhere) {
 TEST(WorldBuilderTest, LeavesOutPeopleWhoWouldRunIntoSomebody) {
   const auto lane = [](int seed) {
     WorldBuilder b(seed, "test");
+    b.rehearsal_s = 10.0;
     b.world.robot.X_WR.p_m = {20, 0};
     b.put_hall({3.4, 0.9}, 0.0);
     return b;

@@ -8,8 +8,6 @@
 namespace scanbed::sim {
 namespace {
 
-constexpr double kBetweenLooks_s = 0.05;
-
 Walker walker(const std::string& id, const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) {
   Walker made;
   made.id = id;
@@ -50,14 +48,14 @@ TEST(RehearsalTest, TwoOnOneWayMeetInItsMiddleUnlessTheyGiveWay) {
   ASSERT_TRUE(collision);
   EXPECT_EQ(collision->first, "ann");
   EXPECT_EQ(collision->second, "ben");
-  // Legs are at most a step ahead of the hips.
+  // Legs are up to .42 of a step before the hips at the laser's height, and .06 m thick.
   const double speed_m_per_s = world.walkers[0].speed_m_per_s;
   EXPECT_NEAR(collision->time_s, 4.0 / speed_m_per_s, 0.5 * step_length_m(speed_m_per_s) / speed_m_per_s);
   for (Walker& each : world.walkers) each.avoids = true;
   EXPECT_FALSE(first_collision(world, 10.0));
 }
 
-TEST(RehearsalTest, LegsAreThoseAtTheLasersHeight) {
+TEST(RehearsalTest, WhatHangsAboveTheLaserStopsNobody) {
   World world;
   world.robot.X_WR.p_m = {0, -5};
   world.walkers = {walker("ann", {0, 0}, {8, 0})};
