@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -18,6 +19,15 @@
 
 namespace scanbed::scenarios {
 namespace {
+
+// Names go into JSON and XML, which must be UTF-8. Checked by who would refuse to write it.
+bool is_utf8(const std::string& text) {
+  try {
+    return !nlohmann::json(text).dump().empty();
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
 
 std::size_t count_nodes(const TreeNode& node) {
   std::size_t count = 1;
@@ -57,6 +67,7 @@ class TreeBuilder final : public YAML::EventHandler {
                 const std::string& value) override {
     // The parser marks a plain scalar with "?" and one in quotes with "!".
     if (!tag.empty() && tag != "?" && tag != "!") refuse(place(mark), "tags are not supported");
+    if (!is_utf8(value)) refuse(place(mark), "is no text in UTF-8; save the file as UTF-8");
     TreeNode node;
     node.kind = TreeNode::Kind::kScalar;
     node.place = place(mark);

@@ -62,6 +62,11 @@ TEST(ParseYamlTest, RefusesWhatAScenarioNeverNeeds) {
   EXPECT_EQ(yaml_error("a: &x [1, *x]\n"), "f:1:11: an alias within its own anchor");
 }
 
+TEST(ParseYamlTest, RefusesTextThatIsNotUtf8) {
+  EXPECT_EQ(yaml_error("a: 1\nb: caf\xE9\n"), "f:2:4: is no text in UTF-8; save the file as UTF-8");
+  EXPECT_EQ(parse_yaml("b: caf\xC3\xA9\n", "f").entries[0].value.text, "caf\xC3\xA9");
+}
+
 TEST(ParseYamlTest, BoundsDepth) {
   const auto nested = [](int depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_EQ(yaml_error(nested(24)), "");
