@@ -87,8 +87,9 @@ void check_files(std::span<const FlagFile> written, std::span<const FlagFile> re
 }
 
 FlagFile laser_file(const LaserSpec& spec) {
-  if (spec.is_device() || spec.target.empty()) return {"--laser", {}};
-  return {"--laser", spec.target};
+  std::error_code error;
+  const bool reads_file = spec.kind == LaserKind::kLog || fs::is_regular_file(spec.target, error);
+  return {"--laser", reads_file && !spec.is_device() ? to_path(spec.target) : std::nullopt};
 }
 
 std::vector<FlagFile> scenario_files(std::span<const std::string> scenarios) {

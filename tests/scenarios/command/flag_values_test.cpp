@@ -69,7 +69,10 @@ TEST(FlagValuesTest, RefuseAResultOverWhatIsRead) {
 
 TEST(FlagValuesTest, ALaserThatReadsAFileNamesIt) {
   EXPECT_EQ(laser_file(parse_laser_spec("log:a.log?from=2")).path, "a.log");
-  EXPECT_EQ(laser_file(parse_laser_spec("sim:mine.yaml")).path, "mine.yaml");
+  const testing::TemporaryFolder folder;
+  const std::string mine = testing::write_file(folder / "mine.yaml", "");
+  EXPECT_EQ(laser_file(parse_laser_spec("sim:" + mine)).path, mine);
+  EXPECT_EQ(laser_file(parse_laser_spec("sim:static_hallway")).path, std::nullopt);  // of the library
   EXPECT_EQ(laser_file(parse_laser_spec("sim")).path, std::nullopt);
   EXPECT_EQ(laser_file(parse_laser_spec("sick:/dev/ttyUSB0")).path, std::nullopt);
 }
