@@ -157,6 +157,8 @@ TEST_F(EmulateTest, ATruthOfOtherScansIsNone) {
       run_program({"run", "v_corners", "--set", "duration=1", "--laser", laser(), "--truth", other});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
   EXPECT_NE(outcome.err.find("other: is of none of the "), std::string::npos) << outcome.err;
+  emulator->send(SIGINT);
+  emulator->wait();
 }
 
 }  // namespace
