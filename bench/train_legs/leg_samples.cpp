@@ -40,7 +40,7 @@ constexpr double kLaserHeight_m = 0.28;
 constexpr double kTurningShare = 0.3;
 constexpr double kMaxTurn_rad_per_s = 2.2;
 constexpr double kBetweenScans_s = 2.0;  // a walker's legs stand otherwise then
-constexpr double kNoRehearsal_s = 0.0;   // people in each other are few, and 30 000 rehearsals take minutes
+constexpr double kNoRehearsal_s = 0.0;   // people in each other are few, and rehearsals take long
 
 using Judge = std::function<LegAnswer(const LegSample&)>;
 

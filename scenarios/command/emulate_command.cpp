@@ -102,8 +102,8 @@ Usage emulate_usage() {
       texts->settings.flag(),
   };
   usage.footer =
-      R"(Prints the port, then serves it. With each scan the world goes on by the scenario's own scan period, whatever the link
-takes for it, and begins anew where the scenario ends.
+      R"(Prints the port, then serves it. With each scan the world goes on by the scenario's own scan period,
+whatever the link takes for it, and begins anew where the scenario ends.
 Faults: garbage, half, flip, blind_pair, nak, miss, refuse, silence, reboot, unplug, pollution.
 Examples:
   scanbed emulate static_hallway --link /tmp/lms --truth truth.jsonl

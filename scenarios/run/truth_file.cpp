@@ -135,8 +135,10 @@ std::optional<TruthLine> parse_truth_line(const std::string& line) {
   }
 }
 
-TruthWriter::TruthWriter(const std::filesystem::path& path)
-    : path_(path), is_new_(!std::filesystem::exists(path)), file_(path, std::ios::app) {
+TruthWriter::TruthWriter(const std::filesystem::path& path) : path_(path) {
+  std::error_code error;
+  is_new_ = !std::filesystem::exists(path, error);
+  file_.open(path, std::ios::app);
   check();
 }
 
@@ -157,7 +159,6 @@ void TruthWriter::check() const {
 }
 
 void TruthWriter::write(std::int64_t scan, std::span<const double> range_m, const Truth& truth) {
-  if (!has_begun_) begin();
   file_ << to_truth_line(scan, range_hash(range_m), truth) << std::flush;
   check();
 }

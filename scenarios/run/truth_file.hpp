@@ -37,17 +37,17 @@ class TruthWriter {
   TruthWriter(const TruthWriter&) = delete;
   TruthWriter& operator=(const TruthWriter&) = delete;
 
-  /// Empties the file; else the first line does.
+  /// Empties the file.
   void begin();
 
-  /// @throws OutputFault where the line cannot be written.
+  /// @pre begin() was called. @throws OutputFault where the line cannot be written.
   void write(std::int64_t scan, std::span<const double> range_m, const Truth& truth);
 
  private:
   void check() const;
 
   std::filesystem::path path_;
-  bool is_new_;
+  bool is_new_ = false;
   bool has_begun_ = false;
   std::ofstream file_;
 };

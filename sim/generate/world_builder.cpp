@@ -8,8 +8,8 @@
 #include "core/geometry/angles.hpp"
 #include "core/geometry/polar.hpp"
 #include "sim/world/body.hpp"
+#include "sim/world/first_collision.hpp"
 #include "sim/world/furniture.hpp"
-#include "sim/world/rehearsal.hpp"
 #include "sim/world/solid_geometry.hpp"
 
 namespace scanbed::sim {

@@ -7,6 +7,7 @@
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
+#include "core/geometry/angles.hpp"
 #include "sim/planar/floor_physics.hpp"
 #include "sim/world/world_script.hpp"
 
@@ -19,7 +20,7 @@ const World& validated(const World& world) {
   world.validate();
   for (const double tilt_rad : {world.robot.laser_pitch_rad, world.robot.laser_roll_rad}) {
     require(tilt_rad == 0.0, "sensor: pitch_deg and roll_deg", degrees(tilt_rad),
-            "0 in the planar engine; --backend spatial takes any");
+            "0 in the planar engine; the spatial one (--backend spatial) takes any");
   }
   return world;
 }

@@ -96,12 +96,6 @@ struct ScenePainter::Impl {
     if (options.grid == Grid::kCartesian && !has_plan_scale()) draw_cartesian_grid(pen, bounds, scale);
   }
 
-  void draw_optional(ScenePen& pen, const Eigen::Isometry3d& X_WS, const Features& features,
-                     const Truth* truth) const {
-    if (truth != nullptr && options.truth) draw_truth(pen, X_WS, *truth, overlay_style().scale);
-    if (options.features) draw_features(pen, X_WS, features, overlay_style());
-  }
-
   InkOptions ink() const { return {.hidden_ratio = options.view == View::kTop ? 1.0 : 0.28}; }
 
   World world;
@@ -129,7 +123,8 @@ Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const 
   ScenePen pen(canvas, camera, scene.depth_m, self.ink());
   self.draw_grid(pen, X_WS);
   draw_scan(pen, X_WS, scan, self.overlay_style());
-  self.draw_optional(pen, X_WS, features, truth);
+  if (truth != nullptr && self.options.truth) draw_truth(pen, X_WS, *truth, self.overlay_style().scale);
+  if (self.options.features) draw_features(pen, X_WS, features, self.overlay_style());
   if (self.options.grid == Grid::kPolar) label_polar_grid(canvas, camera, X_WS, self.reach_m());
   if (truth != nullptr && self.options.labels) draw_labels(canvas, camera, X_WS, *truth);
   draw_caption(canvas, caption);

@@ -104,6 +104,7 @@ TEST(LiveSensorTest, TellsOnceWhatTheDeviceSaysOfItsState) {
 TEST(LiveSensorTest, JoinsScansWithTheirTruth) {
   testing::TemporaryFolder folder;
   TruthWriter writer(folder / "truth");
+  writer.begin();
   Truth truth;
   truth.beams.resize(1);
   truth.X_WS.theta_rad = 0.5;

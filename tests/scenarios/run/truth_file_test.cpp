@@ -80,6 +80,7 @@ TEST(TruthFileTest, ScansAreToldApartByTheirRanges) {
 TEST(TruthFileTest, FindsScansThoughSomeAreMissing) {
   testing::TemporaryFolder folder;
   TruthWriter writer(folder / "truth.jsonl");
+  writer.begin();
   for (int i = 0; i < 5; ++i) writer.write(i, ranges(i), some_truth(i));
   TruthReader reader(folder / "truth.jsonl");
   ASSERT_NE(reader.find(ranges(1)), nullptr);
@@ -92,6 +93,7 @@ TEST(TruthFileTest, FindsScansThoughSomeAreMissing) {
 TEST(TruthFileTest, FollowsAFileThatGrows) {
   testing::TemporaryFolder folder;
   TruthWriter writer(folder / "truth.jsonl");
+  writer.begin();
   TruthReader reader(folder / "truth.jsonl");
   EXPECT_EQ(reader.find(ranges(0)), nullptr);
   writer.write(0, ranges(0), some_truth(0));
@@ -124,6 +126,7 @@ TEST(TruthFileTest, LeavesAFileAsItWasUntilItBegins) {
   EXPECT_FALSE(std::filesystem::exists(folder / "new"));
   {
     TruthWriter writer(old);
+    writer.begin();
     writer.write(0, ranges(0), some_truth(0));
   }
   EXPECT_NE(TruthReader(old).find(ranges(0)), nullptr);
@@ -131,6 +134,7 @@ TEST(TruthFileTest, LeavesAFileAsItWasUntilItBegins) {
 
 TEST(TruthFileTest, TellsOfALineThatIsLost) {
   TruthWriter writer("/dev/full");
+  writer.begin();
   EXPECT_EQ(testing::error_of<OutputFault>([&] { writer.write(0, ranges(0), some_truth(0)); }),
             "--truth /dev/full: cannot be written: No space left on device");
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/rehearsal.hpp"
+#include "sim/world/first_collision.hpp"
 #include "sim/world/solid_geometry.hpp"
 
 namespace scanbed::sim {

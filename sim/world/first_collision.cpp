@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/world/rehearsal.hpp"
+#include "sim/world/first_collision.hpp"
 
 #include "sim/world/world_script.hpp"
 

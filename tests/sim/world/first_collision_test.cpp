@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/world/rehearsal.hpp"
+#include "sim/world/first_collision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,14 @@ Solid wall_at(double x_m) {
   return {.id = "wall", .label = "wall", .shape = WallChain{{{x_m, -1}, {x_m, 1}}, false}};
 }
 
-TEST(RehearsalTest, NothingCollidesWhereAllKeepApart) {
+TEST(FirstCollisionTest, NothingCollidesWhereAllKeepApart) {
   World world;
   world.robot.X_WR.p_m = {0, -5};
   world.walkers = {walker("ann", {0, 0}, {8, 0}), walker("ben", {8, 1}, {0, 1})};
   EXPECT_FALSE(first_collision(world, 10.0));
 }
 
-TEST(RehearsalTest, TheRobotReachesAWallWhereItsRadiusTouches) {
+TEST(FirstCollisionTest, TheRobotReachesAWallWhereItsRadiusTouches) {
   World world;
   world.robot.radius_m = 0.2;
   world.robot.speed_m_per_s = 0.5;
@@ -40,7 +40,7 @@ TEST(RehearsalTest, TheRobotReachesAWallWhereItsRadiusTouches) {
   EXPECT_FALSE(first_collision(world, 3.9));
 }
 
-TEST(RehearsalTest, TwoOnOneWayMeetInItsMiddleUnlessTheyGiveWay) {
+TEST(FirstCollisionTest, TwoOnOneWayMeetInItsMiddleUnlessTheyGiveWay) {
   World world;
   world.robot.X_WR.p_m = {0, -5};
   world.walkers = {walker("ann", {0, 0}, {8, 0}), walker("ben", {8, 0}, {0, 0})};
@@ -55,7 +55,7 @@ TEST(RehearsalTest, TwoOnOneWayMeetInItsMiddleUnlessTheyGiveWay) {
   EXPECT_FALSE(first_collision(world, 10.0));
 }
 
-TEST(RehearsalTest, WhatHangsAboveTheLaserStopsNobody) {
+TEST(FirstCollisionTest, WhatHangsAboveTheLaserStopsNobody) {
   World world;
   world.robot.X_WR.p_m = {0, -5};
   world.walkers = {walker("ann", {0, 0}, {8, 0})};
