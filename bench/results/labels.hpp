@@ -11,6 +11,9 @@ namespace scanbed::bench {
 /// Labelled places by scan number, sensor frame.
 using Labels = std::map<int, std::vector<Eigen::Vector2d>>;
 
+/// A labelled leg is found where one lies within this.
+inline constexpr double kLegGate_m = 0.15;
+
 /// One arc a line: {"scan": n, "cx": x, "cy": y, ...}. @throws std::runtime_error with file and line where it
 /// is not.
 Labels read_circle_labels(const std::filesystem::path& path);

@@ -19,7 +19,6 @@ constexpr double kMaybeGate_m = 0.35;
 constexpr int kMinColumnBeams = 8;
 constexpr double kMinColumnRadius_m = 0.2;
 constexpr double kMaxColumnRadius_m = 0.5;
-constexpr double kLegGate_m = 0.15;
 constexpr double kLegRange_m = 5.0;
 
 // Distances of the pairs that a one-to-one matching, nearest first, makes within the gate.

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "bench/results/labels.hpp"
 #include "bench/results/recorded_scans.hpp"
 #include "core/detect/feature_detector.hpp"
 #include "core/track/tracker.hpp"
@@ -12,7 +13,6 @@
 namespace scanbed::bench {
 namespace {
 
-constexpr double kLegGate_m = 0.15;
 constexpr double kPersonGate_m = 0.40;
 
 int legs_of(const Track& track) {

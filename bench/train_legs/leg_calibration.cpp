@@ -9,7 +9,7 @@ namespace scanbed::bench {
 namespace {
 
 constexpr int kMaxIterations = 50;
-constexpr double kLeastShare = 1e-6;  // of a step
+constexpr int kMaxHalvings = 20;  // of a step
 
 double probability(const Logistic& logistic, double sum) {
   return 1.0 / (1.0 + std::exp(-(logistic.slope * sum + logistic.offset)));
@@ -50,7 +50,8 @@ Logistic fit_logistic(std::span<const JudgedSum> judged) {
   double least_loss = loss_of(best, judged);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const Logistic step = newton_step(best, judged);
-    for (double share = 1.0; share > kLeastShare; share /= 2.0) {
+    for (int halving = 0; halving < kMaxHalvings; ++halving) {
+      const double share = std::ldexp(1.0, -halving);
       const Logistic next{best.slope + share * step.slope, best.offset + share * step.offset};
       const double loss = loss_of(next, judged);
       if (loss >= least_loss) continue;

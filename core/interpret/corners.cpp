@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/geometry/cross.hpp"
 #include "core/interpret/piece_order.hpp"
 
 namespace scanbed {
@@ -12,10 +13,6 @@ namespace {
 
 constexpr int kMaxBeamsBetween = 4;  // echoes at a corner that neither piece took
 constexpr double kMinPiece_m = 0.10;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // Where both lines meet, if that is near the end of a and the beginning of b.
 std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const InterpretOptions& options) {

@@ -10,7 +10,7 @@
 namespace scanbed {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoCircle = -1;
 constexpr double kSolidRatio =
     0.7;  // two cylinders whose middles are nearer than this times r + r would overlap
 constexpr double kMaxShift = 0.5;  // of a refined centre from the arcs' own, in radii: more is a bad fit
@@ -38,7 +38,7 @@ void RoundGroups::find(const WatchedCircles& seen, const InterpretOptions& optio
 void RoundGroups::gather(const WatchedCircles& seen) {
   const int num_circles = static_cast<int>(seen.circles.size());
   cylinders_.clear();
-  next_.assign(num_circles, kNone);
+  next_.assign(num_circles, kNoCircle);
   is_later_.assign(num_circles, 0);
   for (int i = 0; i < num_circles; ++i) {
     if (is_later_[i] != 0 || seen.motions[i] == CircleMotion::kMobile) continue;
@@ -68,7 +68,7 @@ RoundGroups::Cylinder RoundGroups::merge(const LaserScan& scan, const std::vecto
                                          int first) const {
   Cylinder cylinder{.center_m = Eigen::Vector2d::Zero(), .first_circle = first};
   double weight = 0.0;
-  for (int i = first; i != kNone; i = next_[i]) {
+  for (int i = first; i != kNoCircle; i = next_[i]) {
     const double beams = num_beams(circles[i]);
     cylinder.center_m += beams * circles[i].center_m;
     cylinder.radius_m += beams * circles[i].radius_m;
@@ -77,10 +77,10 @@ RoundGroups::Cylinder RoundGroups::merge(const LaserScan& scan, const std::vecto
   }
   cylinder.center_m /= weight;
   cylinder.radius_m /= weight;
-  if (next_[first] == kNone) return cylinder;
+  if (next_[first] == kNoCircle) return cylinder;
   CircleThroughBeams refined({cylinder.center_m, cylinder.radius_m});
   for (int step = 0; step < kMaxSteps; ++step) {
-    for (int i = first; i != kNone; i = next_[i]) refined.add(scan, circles[i].beams);
+    for (int i = first; i != kNoCircle; i = next_[i]) refined.add(scan, circles[i].beams);
     const std::optional<double> moved_m = refined.step();
     if (!moved_m || *moved_m < kConverged_m) break;
   }
@@ -95,7 +95,7 @@ RoundGroups::Cylinder RoundGroups::merge(const LaserScan& scan, const std::vecto
 }
 
 void RoundGroups::append_from(const Cylinder& cylinder, Scene& scene) const {
-  for (int i = cylinder.first_circle; i != kNone; i = next_[i]) {
+  for (int i = cylinder.first_circle; i != kNoCircle; i = next_[i]) {
     scene.from.push_back({Primitive::kCircle, i});
     ++scene.objects.back().num_from;
   }

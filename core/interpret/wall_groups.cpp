@@ -10,7 +10,7 @@
 namespace scanbed {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoLine = -1;
 constexpr double kSpread = 0.01;          // error of a piece's direction: widens the offset with distance
 constexpr double kMaxOverlap_m = 0.05;    // pieces of one wall do not stand before each other
 constexpr double kMinDirection_m = 0.05;  // a shorter piece has none
@@ -64,7 +64,7 @@ void add_door(const Line& a, const Line& b, GapView view, Scene& scene) {
 
 void WallGroups::find(const LaserScan& scan, const std::vector<Line>& lines, const InterpretOptions& options,
                       Scene& scene) {
-  next_.assign(lines.size(), kNone);
+  next_.assign(lines.size(), kNoLine);
   is_later_.assign(lines.size(), 0);
   link(scan, lines, options, scene);
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
@@ -105,7 +105,7 @@ void WallGroups::add_wall(const std::vector<Line>& lines, int first, const Inter
   wall.first_from = static_cast<int>(scene.from.size());
   double measured_m = 0.0;
   double score_m = 0.0;
-  for (int i = first; i != kNone; i = next_[i]) {
+  for (int i = first; i != kNoLine; i = next_[i]) {
     measured_m += length_m(lines[i]);
     score_m += lines[i].score * length_m(lines[i]);
     wall.right_m = lines[i].right_m;

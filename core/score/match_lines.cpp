@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/cross.hpp"
 #include "core/score/wall_pieces.hpp"
 
 namespace scanbed {
@@ -21,10 +22,7 @@ struct WallAxis {
       : origin_m(wall.from_m), direction((wall.to_m - wall.from_m).normalized()) {}
 
   double along_m(const Eigen::Vector2d& p_m) const { return direction.dot(p_m - origin_m); }
-  double offset_m(const Eigen::Vector2d& p_m) const {
-    const Eigen::Vector2d d_m = p_m - origin_m;
-    return std::abs(direction.x() * d_m.y() - direction.y() * d_m.x());
-  }
+  double offset_m(const Eigen::Vector2d& p_m) const { return std::abs(cross(direction, p_m - origin_m)); }
   Interval interval(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m) const {
     return std::minmax({along_m(a_m), along_m(b_m)});
   }
@@ -32,7 +30,7 @@ struct WallAxis {
 
 bool lies_on(const Line& line, const WallAxis& wall, const MatchOptions& options) {
   const Eigen::Vector2d direction = (line.right_m - line.left_m).normalized();
-  const double sine = direction.x() * wall.direction.y() - direction.y() * wall.direction.x();
+  const double sine = cross(direction, wall.direction);
   return std::abs(sine) <= std::sin(options.line_angle_rad) &&
          wall.offset_m((line.left_m + line.right_m) / 2) <= options.line_offset_m;
 }

@@ -69,20 +69,23 @@ void TrackScorer::match_rest(Scan& scan, bool resolvable) const {
 void TrackScorer::count(const Scan& scan, double dt_s) {
   for (std::size_t i = 0; i < scan.truths.size(); ++i) {
     const FollowedTruth& truth = scan.truths[i];
-    const bool resolvable = truth.visibility == Visibility::kResolvable;
     if (truth.visibility != Visibility::kHidden) tally_.object_time_s += dt_s;
-    if (resolvable) ++tally_.num_truths;
+    if (truth.visibility == Visibility::kResolvable) ++tally_.num_truths;
     if (scan.track_of_truth[i] == kNoTrack) continue;
-    const Track& track = scan.tracks[scan.track_of_truth[i]];
-    ++(resolvable ? tally_.num_matches : tally_.num_neither);
-    if (resolvable) tally_.sum_error_m += (track.position_m - truth.center_m).norm();
-    int& last_id = last_id_[truth.id];
-    // What passes before a hidden object is excused by it, and does not take its name.
-    if (!resolvable && last_id != kNoId) continue;
-    if (last_id != kNoId && last_id != track.id) ++tally_.num_switches;
-    last_id = track.id;
+    count_match(truth, scan.tracks[scan.track_of_truth[i]]);
   }
   tally_.num_false += static_cast<int>(std::count(scan.is_taken.begin(), scan.is_taken.end(), 0));
+}
+
+void TrackScorer::count_match(const FollowedTruth& truth, const Track& track) {
+  const bool resolvable = truth.visibility == Visibility::kResolvable;
+  ++(resolvable ? tally_.num_matches : tally_.num_neither);
+  if (resolvable) tally_.sum_error_m += (track.position_m - truth.center_m).norm();
+  int& last_id = last_id_[truth.id];
+  // What passes before a hidden object is excused by it, and does not take its name.
+  if (!resolvable && last_id != kNoId) return;
+  if (last_id != kNoId && last_id != track.id) ++tally_.num_switches;
+  last_id = track.id;
 }
 
 void TrackScorer::count_identities(const Scan& scan) {

@@ -42,6 +42,7 @@ class TrackScorer {
   void keep_matches(Scan& scan) const;
   void match_rest(Scan& scan, bool resolvable) const;
   void count(const Scan& scan, double dt_s);
+  void count_match(const FollowedTruth& truth, const Track& track);
   void count_identities(const Scan& scan);
   int best_identity_matches() const;
 

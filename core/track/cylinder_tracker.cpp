@@ -8,10 +8,10 @@ namespace scanbed {
 namespace {
 
 constexpr double kAccel_m2_per_s3 = 0.5;
-constexpr double kSigma_m = 0.03;            // of a circle's centre
-constexpr double kStartSpeed_m_per_s = 0.7;  // standard deviation of what is not known yet
-constexpr double kRadiusGate_m = 0.10;       // circles of so different a radius are not the same
-constexpr double kRadiusGain = 0.1;          // share of a new radius in the track's
+constexpr double kSigma_m = 0.03;                    // of a circle's centre
+constexpr double kCylinderStartSpeed_m_per_s = 0.7;  // standard deviation of what is not known yet
+constexpr double kRadiusGate_m = 0.10;               // circles of so different a radius are not the same
+constexpr double kRadiusGain = 0.1;                  // share of a new radius in the track's
 
 // Who is hidden may turn: by how much what moves may be off from going straight on.
 double hidden_way_m(const LiveTrack& track) {
@@ -78,7 +78,7 @@ void CylinderTracker::begin_tracks(const TrackedScan& now, const std::vector<Cir
     track.kind = TrackKind::kCylinder;
     track.point.p_m = p_WC_m_[i];
     track.point.var_p_m2 = kSigma_m * kSigma_m;
-    track.point.var_v_m2_per_s2 = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
+    track.point.var_v_m2_per_s2 = kCylinderStartSpeed_m_per_s * kCylinderStartSpeed_m_per_s;
     track.radius_m = circles[i].radius_m;
     track.feature = static_cast<int>(i);
     track.count_hit(log_odds_of(circles[i].score), now, options);

@@ -14,9 +14,9 @@ constexpr double kStandingSigma_m = 0.03;  // of a leg whose foot stands
 constexpr double kShinSpeedRatio = 0.35;   // of it, to the person's
 constexpr double kShinSpeedSpread = 0.12;
 constexpr double kSwingSpeedRatio = 2.05;    // of a shin that swings, to the person's speed
-constexpr double kReach_m = 0.1;             // of a leg beyond that
+constexpr double kSwingReach_m = 0.1;        // of a leg beyond that
 constexpr double kKnownSpeed_m_per_s = 0.8;  // standard deviation; above, any reach is possible
-constexpr double kReachSigma_m = 0.1;
+constexpr double kLegReachSigma_m = 0.1;
 constexpr double kMaxHaste = 8.0;
 constexpr double kStanding_s = 0.63;   // of one foot in a cycle ...
 constexpr double kCycle_s = 1.05;      // ... of two steps
@@ -31,7 +31,7 @@ double gaussian(double distance_m2, double var_m2) {
 
 // That a leg went farther than its reach; bounded, as people start and turn.
 double surprise_of_haste(double way_m, double reach_m) {
-  const double beyond = std::max(0.0, way_m - reach_m) / kReachSigma_m;
+  const double beyond = std::max(0.0, way_m - reach_m) / kLegReachSigma_m;
   return std::min(kMaxHaste, beyond * beyond);
 }
 
@@ -55,7 +55,7 @@ GaitExpectation::GaitExpectation(const LiveTrack& person)
   const double way_m = speed_m_per_s * person.unseen_s;
   last_m_ = person.p_WL_m;
   const bool knows_speed = person.point.var_v_m2_per_s2 < kKnownSpeed_m_per_s * kKnownSpeed_m_per_s;
-  reach_m_ = knows_speed ? kReach_m + kSwingSpeedRatio * way_m : std::numeric_limits<double>::infinity();
+  reach_m_ = knows_speed ? kSwingReach_m + kSwingSpeedRatio * way_m : std::numeric_limits<double>::infinity();
   for (int i = 0; i < num_legs_; ++i)
     standing_m_[i] = person.p_WL_m[i] + kShinSpeedRatio * person.unseen_s * person.point.v_m_per_s;
   const double spread_m = kShinSpeedSpread * way_m;

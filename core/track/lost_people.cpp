@@ -8,17 +8,17 @@
 namespace scanbed {
 namespace {
 
-constexpr double kTurn_s = 2.0;         // in which who is out of sight loses direction
-constexpr double kReach_m = 0.5;        // of a newcomer from where the other one is expected ...
-constexpr double kHurry_m_per_s = 1.8;  // ... and more by this, for each second since
-constexpr double kMaxTogether_s = 0.5;  // a leg may have begun a track of its own so long before the end
+constexpr double kTurn_s = 2.0;           // in which who is out of sight loses direction
+constexpr double kNewcomerReach_m = 0.5;  // of a newcomer from where the other one is expected ...
+constexpr double kHurry_m_per_s = 1.8;    // ... and more by this, for each second since
+constexpr double kMaxTogether_s = 0.5;    // a leg may have begun a track of its own so long before the end
 
 }  // namespace
 
 double surprise_of(const LiveTrack& newcomer, const LiveTrack& missing) {
   const double off_m = (newcomer.point.p_m - missing.point.p_m).norm();
   const bool was_there_before = newcomer.age_s > missing.unseen_s + kMaxTogether_s;
-  if (was_there_before || off_m > kReach_m + kHurry_m_per_s * missing.unseen_s)
+  if (was_there_before || off_m > kNewcomerReach_m + kHurry_m_per_s * missing.unseen_s)
     return std::numeric_limits<double>::infinity();
   const double var_m2 = missing.point.var_p_m2;
   return off_m * off_m / var_m2 + 2.0 * std::log(var_m2);

@@ -13,15 +13,15 @@ namespace scanbed {
 namespace {
 
 constexpr double kPersonAccel_m2_per_s3 = 1.0;
-constexpr double kLegAccel_m2_per_s3 = 6.0;  // a leg stops and swings with every step
-constexpr double kLegSigma_m = 0.05;         // of a leg, about itself
-constexpr double kStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
-constexpr double kMaxSurprise = 12.0;        // of a leg that is still a track's: 3.5 standard deviations
-constexpr double kMaxSplitSurprise = 4.0;    // of a leg that may be a part of another one
-constexpr double kSplit_m = 0.13;            // between the parts of one leg
-constexpr double kAwaySurprise = 2.0;   // of whoever was not seen in the last scan to be seen in this one
-constexpr double kWidthSigma_m = 0.02;  // of a leg's width, beside the spacing of beams
-constexpr double kNarrowRatio = 3.0;    // by which a leg is rather too narrow than too wide
+constexpr double kLegAccel_m2_per_s3 = 6.0;        // a leg stops and swings with every step
+constexpr double kLegSigma_m = 0.05;               // of a leg, about itself
+constexpr double kPersonStartSpeed_m_per_s = 1.0;  // standard deviation of what is not known yet
+constexpr double kMaxSurprise = 12.0;      // of a leg that is still a track's: 3.5 standard deviations
+constexpr double kMaxSplitSurprise = 4.0;  // of a leg that may be a part of another one
+constexpr double kSplit_m = 0.13;          // between the parts of one leg
+constexpr double kAwaySurprise = 2.0;      // of whoever was not seen in the last scan to be seen in this one
+constexpr double kWidthSigma_m = 0.02;     // of a leg's width, beside the spacing of beams
+constexpr double kNarrowRatio = 3.0;       // by which a leg is rather too narrow than too wide
 constexpr double kMaxWidthSurprise = 6.0;
 constexpr double kUsualWidthSurprise = 0.7;  // of the own legs
 constexpr double kWidthGain = 0.08;          // share of a new width in the mean, at least
@@ -228,7 +228,7 @@ void PeopleStep::begin_tracks(std::vector<LiveTrack>& tracks) const {
     track.birth = num_scans_ * kMaxBirths + static_cast<std::uint64_t>(i);
     track.point.p_m = p_WL_m_[i];
     track.point.var_p_m2 = kLegSigma_m * kLegSigma_m;
-    track.point.var_v_m2_per_s2 = kStartSpeed_m_per_s * kStartSpeed_m_per_s;
+    track.point.var_v_m2_per_s2 = kPersonStartSpeed_m_per_s * kPersonStartSpeed_m_per_s;
     track.feature = i;
     track.leg_width_m = widths_[i].width_m;
     track.count_hit(log_odds_of((*legs_)[i].score), *now_, *options_);

@@ -9,8 +9,8 @@
 namespace scanbed {
 namespace {
 
-constexpr double kMinLegRadius_m = 0.03;
-constexpr double kMaxLegRadius_m = 0.11;
+constexpr double kMinThinRadius_m = 0.03;
+constexpr double kMaxThinRadius_m = 0.11;
 constexpr double kMaxStep_s = 10.0;  // after a longer pause nothing is where it was
 
 const TrackOptions& validated(const TrackOptions& options) {
@@ -70,7 +70,7 @@ void Tracker::gather_legs(const Features& features) {
   if (options_.thin_circle_score == 0.0) return;
   const auto num_found = static_cast<std::ptrdiff_t>(legs_.size());
   for (const Circle& circle : features.circles) {
-    const bool is_thin = circle.radius_m >= kMinLegRadius_m && circle.radius_m <= kMaxLegRadius_m;
+    const bool is_thin = circle.radius_m >= kMinThinRadius_m && circle.radius_m <= kMaxThinRadius_m;
     const bool is_known = std::any_of(legs_.begin(), legs_.begin() + num_found, [&](const Leg& leg) {
       return leg.beams.first <= circle.beams.last && circle.beams.first <= leg.beams.last;
     });

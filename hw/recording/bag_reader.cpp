@@ -23,10 +23,10 @@ std::string without_slash(std::string_view topic) {
   return std::string(topic);
 }
 
-enum class Content { kOther, kScan, kTransform };
+enum class ConnectionContent { kOther, kScan, kTransform };
 
 struct Connection {
-  Content content = Content::kOther;
+  ConnectionContent content = ConnectionContent::kOther;
   std::string source;  // of its scans
 };
 
@@ -249,9 +249,9 @@ class BagSource final : public ScanSource {
     const auto md5 = find_bag_field(data, "md5sum");
     const bool is_wanted = only_.empty() || connection.source == only_;
     const auto is = [&](const RosType& known) { return type == known.name && md5 == known.md5; };
-    if (is(kLaserScanType) && is_wanted) connection.content = Content::kScan;
+    if (is(kLaserScanType) && is_wanted) connection.content = ConnectionContent::kScan;
     if (is(kLaserScanType) && !is_wanted) left_out_.add(connection.source);
-    if (is(kTransformType)) connection.content = Content::kTransform;
+    if (is(kTransformType)) connection.content = ConnectionContent::kTransform;
     if (connection.source == "scan") connection.source.clear();
     connections_.insert_or_assign(id, std::move(connection));
   }
@@ -260,7 +260,7 @@ class BagSource final : public ScanSource {
     const auto found = connections_.find(id);
     if (found == connections_.end()) throw InputError("a message of an unknown connection");
     switch (found->second.content) {
-      case Content::kScan:
+      case ConnectionContent::kScan:
         decode_laser_scan(data, out.scan);
         out.scan.source = found->second.source;
         out.scan.X_OR = X_OR_;
@@ -268,10 +268,10 @@ class BagSource final : public ScanSource {
         out.truth.reset();
         ++counts_.num_scans;
         return true;
-      case Content::kTransform:
+      case ConnectionContent::kTransform:
         if (const auto X_OR = decode_odometry(data)) X_OR_ = X_OR;
         break;
-      case Content::kOther:
+      case ConnectionContent::kOther:
         break;
     }
     ++counts_.num_other_lines;

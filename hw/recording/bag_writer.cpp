@@ -20,8 +20,8 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr std::size_t kMostChunk = std::size_t{768} << 10;  // as rosbag's
-constexpr double kMostChunk_s = 1.0;
+constexpr std::size_t kMaxBagChunk = std::size_t{768} << 10;  // as rosbag's
+constexpr double kMaxBagChunk_s = 1.0;
 constexpr std::size_t kHeaderRecord = 4096;  // header and data of the bag's first record, as rosbag writes it
 
 /// A time as records hold it: seconds, then nanoseconds. Never 0, which ROS takes for "no time".
@@ -36,7 +36,7 @@ std::uint64_t in_order(std::uint64_t ros_time) {
   return (ros_time << 32) | (ros_time >> 32);
 }
 
-struct IndexEntry {
+struct BagIndexEntry {
   std::uint64_t time = 0;
   std::uint32_t offset = 0;
 };
@@ -84,7 +84,7 @@ class BagWriter final : public ScanWriter {
 
   void write(const ScanRecord& record) override {
     const LaserScan& scan = record.scan;
-    if (!chunk_.empty() && (chunk_.size() > kMostChunk || scan.time_s - chunk_start_s_ >= kMostChunk_s)) {
+    if (!chunk_.empty() && (chunk_.size() > kMaxBagChunk || scan.time_s - chunk_start_s_ >= kMaxBagChunk_s)) {
       write_chunk();
     }
     if (chunk_.empty()) chunk_start_s_ = scan.time_s;
@@ -150,7 +150,7 @@ class BagWriter final : public ScanWriter {
                           .field("size", static_cast<std::uint32_t>(chunk_.size())),
                       pack_lz4(chunk_));
     for (auto& [id, entries] : index_) {
-      std::stable_sort(entries.begin(), entries.end(), [](const IndexEntry& a, const IndexEntry& b) {
+      std::stable_sort(entries.begin(), entries.end(), [](const BagIndexEntry& a, const BagIndexEntry& b) {
         return in_order(a.time) < in_order(b.time);
       });
       info.start = std::min(info.start, in_order(entries.front().time));
@@ -165,9 +165,9 @@ class BagWriter final : public ScanWriter {
     index_.clear();
   }
 
-  static void append_index(std::string& out, std::uint32_t id, const std::vector<IndexEntry>& entries) {
+  static void append_index(std::string& out, std::uint32_t id, const std::vector<BagIndexEntry>& entries) {
     std::string data;
-    for (const IndexEntry& entry : entries) {
+    for (const BagIndexEntry& entry : entries) {
       append_number(data, entry.time);
       append_number(data, entry.offset);
     }
@@ -201,7 +201,7 @@ class BagWriter final : public ScanWriter {
   std::vector<ChunkInfo> infos_;
   std::string chunk_;  // open, not packed yet
   double chunk_start_s_ = 0.0;
-  std::map<std::uint32_t, std::vector<IndexEntry>> index_;  // of the open chunk, by connection
+  std::map<std::uint32_t, std::vector<BagIndexEntry>> index_;  // of the open chunk, by connection
 };
 
 }  // namespace

@@ -15,21 +15,21 @@ namespace {
 
 enum class Format { kOld, kRaw, kRobot };
 
-struct Message {
+struct MessageFormat {
   std::string_view name;
   Format format;
 };
 
 constexpr std::array kMessages = {
-    Message{"FLASER", Format::kOld},        Message{"RLASER", Format::kOld},
-    Message{"RAWLASER1", Format::kRaw},     Message{"RAWLASER2", Format::kRaw},
-    Message{"RAWLASER3", Format::kRaw},     Message{"RAWLASER4", Format::kRaw},
-    Message{"ROBOTLASER1", Format::kRobot}, Message{"ROBOTLASER2", Format::kRobot},
+    MessageFormat{"FLASER", Format::kOld},        MessageFormat{"RLASER", Format::kOld},
+    MessageFormat{"RAWLASER1", Format::kRaw},     MessageFormat{"RAWLASER2", Format::kRaw},
+    MessageFormat{"RAWLASER3", Format::kRaw},     MessageFormat{"RAWLASER4", Format::kRaw},
+    MessageFormat{"ROBOTLASER1", Format::kRobot}, MessageFormat{"ROBOTLASER2", Format::kRobot},
 };
 
-const Message* find_message(std::string_view name) {
-  const auto* const found =
-      std::find_if(kMessages.begin(), kMessages.end(), [&](const Message& m) { return m.name == name; });
+const MessageFormat* find_message(std::string_view name) {
+  const auto* const found = std::find_if(kMessages.begin(), kMessages.end(),
+                                         [&](const MessageFormat& m) { return m.name == name; });
   return found == kMessages.end() ? nullptr : found;
 }
 
@@ -69,7 +69,7 @@ ScanGeometry read_geometry(FieldReader& fields) {
   return geometry;
 }
 
-double to_range_m(double reading_m, double no_return_m) {
+double carmen_range_m(double reading_m, double no_return_m) {
   if (reading_m >= no_return_m) return kNoEcho;
   if (reading_m > 0.0) return reading_m;
   if (reading_m == 0.0 || reading_m == kTooClose) return kTooClose;
@@ -82,7 +82,7 @@ void read_ranges(FieldReader& fields, double no_return_m, LaserScan& scan) {
   scan.geometry.max_range_m = limit_m;
   scan.range_m.resize(static_cast<std::size_t>(scan.geometry.num_beams));
   for (double& range_m : scan.range_m) {
-    range_m = to_range_m(fields.number("a reading"), limit_m);
+    range_m = carmen_range_m(fields.number("a reading"), limit_m);
     if (!fields.ok()) return;
   }
 }
@@ -148,7 +148,8 @@ void read_robot_state(FieldReader& fields, LaserScan& scan) {
   for (int i = 0; i < num_more; ++i) fields.number("robot state");
 }
 
-void read_new(FieldReader& fields, const Message& message, const CarmenLogOptions& options, LaserScan& scan) {
+void read_new(FieldReader& fields, const MessageFormat& message, const CarmenLogOptions& options,
+              LaserScan& scan) {
   scan.geometry = read_geometry(fields);
   need_left(fields, scan.geometry.num_beams);
   if (!fields.ok()) return;
@@ -198,7 +199,7 @@ void CarmenLogOptions::validate() const {
   require(no_return_m > 0.0, "log.no_return_m", no_return_m, "> 0");
   if (only.empty() || find_message(only) != nullptr) return;
   std::string allowed;
-  for (const Message& message : kMessages) allowed += " " + std::string(message.name);
+  for (const MessageFormat& message : kMessages) allowed += " " + std::string(message.name);
   throw InputError("log.only: '" + only + "' is no laser message; allowed:" + allowed);
 }
 
@@ -207,7 +208,7 @@ CarmenLine parse_carmen_line(std::string_view line, const CarmenLogOptions& opti
   FieldReader fields(line);
   const std::string_view name = fields.word();
   if (name.empty()) return {};
-  const Message* const message = find_message(name);
+  const MessageFormat* const message = find_message(name);
   if (message == nullptr || (!options.only.empty() && name != options.only)) {
     return {.kind = CarmenLine::Kind::kOther, .has_time = false, .damage = {}};
   }

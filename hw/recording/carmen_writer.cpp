@@ -14,7 +14,7 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr double kNoEchoReading_m = 81.91;
+constexpr double kCarmenNoEcho_m = 81.91;
 
 bool starts_with_any(std::string_view text, std::string_view first, std::string_view second) {
   return text.starts_with(first) || text.starts_with(second);
@@ -34,12 +34,12 @@ std::string message_of(const LaserScan& scan) {
 
 double to_reading_m(double range_m) {
   if (std::isfinite(range_m) || std::isnan(range_m)) return range_m;
-  return range_m > 0.0 ? kNoEchoReading_m : 0.0;
+  return range_m > 0.0 ? kCarmenNoEcho_m : 0.0;
 }
 
 /// Readings from the maximum range on mean "no return", so it must lie beyond all ranges.
-double max_range_m(const LaserScan& scan) {
-  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kNoEchoReading_m;
+double carmen_max_range_m(const LaserScan& scan) {
+  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kCarmenNoEcho_m;
   for (const double range_m : scan.range_m) {
     if (std::isfinite(range_m) && range_m >= max_m) max_m = range_m + 0.001;
   }
@@ -63,7 +63,7 @@ void append_configuration(std::string& out, const LaserScan& scan) {
   append_field(out, geometry.first_rad);
   append_field(out, geometry.step_rad * std::max(scan.num_beams() - 1, 0));
   append_field(out, geometry.step_rad);
-  append_field(out, max_range_m(scan));
+  append_field(out, carmen_max_range_m(scan));
   append_field(out, 0.001);  // accuracy
   append_field(out, 0);      // remission_mode
 }

@@ -14,7 +14,7 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 18;
+constexpr std::size_t kOutputBlock = std::size_t{1} << 18;
 
 /// Takes unpacked bytes as they come, one more than claimed at most.
 class Output {
@@ -28,7 +28,7 @@ class Output {
 
   /// Room for the next bytes, never empty.
   char* room() {
-    const std::size_t num_wanted = std::min(used_ + kBlock, static_cast<std::size_t>(most_) + 1);
+    const std::size_t num_wanted = std::min(used_ + kOutputBlock, static_cast<std::size_t>(most_) + 1);
     if (num_wanted > bytes_.size()) bytes_.resize(num_wanted);
     return bytes_.data() + used_;
   }

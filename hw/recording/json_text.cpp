@@ -13,7 +13,7 @@ namespace scanbed::hw {
 namespace {
 
 template <class Value>
-void append_number(std::string& out, Value value) {
+void append_json_number(std::string& out, Value value) {
   std::array<char, 32> digits;
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   out.append(digits.data(), result.ptr);
@@ -68,13 +68,13 @@ JsonText& JsonText::key(std::string_view name) {
 JsonText& JsonText::number(double value) {
   constexpr double kGreatest = std::numeric_limits<double>::max();
   separate();
-  append_number(out_, std::isnan(value) ? 0.0 : std::clamp(value, -kGreatest, kGreatest));
+  append_json_number(out_, std::isnan(value) ? 0.0 : std::clamp(value, -kGreatest, kGreatest));
   return *this;
 }
 
 JsonText& JsonText::integer(std::int64_t value) {
   separate();
-  append_number(out_, value);
+  append_json_number(out_, value);
   return *this;
 }
 

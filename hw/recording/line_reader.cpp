@@ -8,11 +8,11 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 16;
+constexpr std::size_t kReadBlock = std::size_t{1} << 16;
 
 }  // namespace
 
-LineReader::LineReader(std::unique_ptr<ByteStream> bytes) : bytes_(std::move(bytes)), buffer_(kBlock) {}
+LineReader::LineReader(std::unique_ptr<ByteStream> bytes) : bytes_(std::move(bytes)), buffer_(kReadBlock) {}
 
 bool LineReader::next(TextLine& line) {
   bool is_too_long = false;
@@ -45,7 +45,7 @@ bool LineReader::fetch_more() {
     std::copy_n(buffer_.data() + first_, last_ - first_, buffer_.data());
     last_ -= std::exchange(first_, 0);
   }
-  if (buffer_.size() - last_ < kBlock) buffer_.resize(last_ + kBlock);
+  if (buffer_.size() - last_ < kReadBlock) buffer_.resize(last_ + kReadBlock);
   const std::size_t num_read = bytes_->read(std::span(buffer_).subspan(last_));
   last_ += num_read;
   return num_read > 0;

@@ -16,29 +16,29 @@ namespace {
 constexpr std::uint64_t kMostRecord = kMostUnpacked + 4096;
 constexpr std::size_t kMostMessage = std::size_t{4} << 20;  // JSON takes up to 40 times its length in memory
 
-enum class Content { kOther, kScan, kBeams, kFeatures, kTruth };
+enum class ChannelContent { kOther, kScan, kBeams, kFeatures, kTruth };
 
 struct Channel {
-  Content content = Content::kOther;
+  ChannelContent content = ChannelContent::kOther;
   std::string scan_topic;  // of the scan that it is about, without the leading slash
 };
 
-struct Message {
+struct MessageView {
   std::uint16_t channel = 0;
   std::uint64_t log_time = 0;
   std::string_view data;
 };
 
-Content content_of(std::string_view schema) {
+ChannelContent content_of(std::string_view schema) {
   for (std::size_t i = 0; i < kMcapSchemas.size(); ++i) {
-    if (kMcapSchemas[i].name == schema) return static_cast<Content>(i + 1);
+    if (kMcapSchemas[i].name == schema) return static_cast<ChannelContent>(i + 1);
   }
-  return Content::kOther;
+  return ChannelContent::kOther;
 }
 
-std::string scan_topic_of(std::string_view topic, Content content) {
+std::string scan_topic_of(std::string_view topic, ChannelContent content) {
   if (topic.starts_with('/')) topic.remove_prefix(1);
-  if (content != Content::kOther) {
+  if (content != ChannelContent::kOther) {
     const std::string_view ending = kMcapSchemas[static_cast<std::size_t>(content) - 1].topic_ending;
     if (topic.ends_with(ending)) topic.remove_suffix(ending.size());
   }
@@ -235,15 +235,15 @@ class McapSource final : public ScanSource {
     if (schema != schemas_.end() && encoding == "json") channel.content = schema->second;
     channel.scan_topic = scan_topic_of(topic, channel.content);
     if (!only_.empty() && channel.scan_topic != only_) {
-      if (channel.content == Content::kScan) left_out_.add(channel.scan_topic);
-      channel.content = Content::kOther;
+      if (channel.content == ChannelContent::kScan) left_out_.add(channel.scan_topic);
+      channel.content = ChannelContent::kOther;
     }
     channels_.insert_or_assign(id, std::move(channel));
   }
 
   bool take_message(std::string_view content, RecordedScan& out) {
     ByteCursor cursor(content);
-    Message message;
+    MessageView message;
     message.channel = cursor.number<std::uint16_t>();
     cursor.number<std::uint32_t>();  // sequence
     message.log_time = cursor.number<std::uint64_t>();
@@ -252,7 +252,7 @@ class McapSource final : public ScanSource {
     const auto channel = channels_.find(message.channel);
     if (!cursor.ok()) throw InputError("malformed message");
     if (channel == channels_.end()) throw InputError("a message of an unknown channel");
-    if (channel->second.content == Content::kOther) {
+    if (channel->second.content == ChannelContent::kOther) {
       ++counts_.num_other_lines;
       return false;
     }
@@ -260,20 +260,20 @@ class McapSource final : public ScanSource {
     return take_known_message(channel->second, message, out);
   }
 
-  bool take_known_message(const Channel& channel, const Message& message, RecordedScan& out) {
+  bool take_known_message(const Channel& channel, const MessageView& message, RecordedScan& out) {
     if (message.log_time != side_time_ || channel.scan_topic != side_topic_) {
       side_ = {};
       side_time_ = message.log_time;
       side_topic_ = channel.scan_topic;
     }
     switch (channel.content) {
-      case Content::kBeams:
+      case ChannelContent::kBeams:
         side_.beams = message.data;
         return false;
-      case Content::kFeatures:
+      case ChannelContent::kFeatures:
         side_.features = message.data;
         return false;
-      case Content::kTruth:
+      case ChannelContent::kTruth:
         side_.truth = message.data;
         return false;
       default:
@@ -290,7 +290,7 @@ class McapSource final : public ScanSource {
   std::string name_;
   std::string only_;
   DamageReport report_;
-  std::map<std::uint16_t, Content> schemas_;
+  std::map<std::uint16_t, ChannelContent> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 
   std::uint64_t record_at_ = 0;  // where the record of the file begins, for messages

@@ -22,20 +22,20 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr std::size_t kMostChunk = std::size_t{1} << 20;
-constexpr double kMostChunk_s = 1.0;
+constexpr std::size_t kMaxMcapChunk = std::size_t{1} << 20;
+constexpr double kMaxMcapChunk_s = 1.0;
 constexpr std::size_t kMostChannel = 65535;  // their numbers have 16 bits
 
-struct IndexEntry {
+struct McapIndexEntry {
   std::uint64_t time_ns = 0;
   std::uint64_t offset = 0;  // of the message in the unpacked chunk
 };
 
-struct Channel {
+struct WrittenChannel {
   std::uint16_t id = 0;
   std::string record;  // as it stands in chunk and summary
   std::uint64_t num_messages = 0;
-  std::vector<IndexEntry> index;  // of the open chunk
+  std::vector<McapIndexEntry> index;  // of the open chunk
 };
 
 /// Times of the messages of a chunk or of all; 0 where there are none.
@@ -82,7 +82,8 @@ class McapWriter final : public ScanWriter {
   void write(const ScanRecord& record) override {
     const LaserScan& scan = record.scan;
     const std::uint64_t time_ns = to_ns(scan.time_s);
-    if (!chunk_.empty() && (chunk_.size() > kMostChunk || scan.time_s - chunk_start_s_ >= kMostChunk_s)) {
+    if (!chunk_.empty() &&
+        (chunk_.size() > kMaxMcapChunk || scan.time_s - chunk_start_s_ >= kMaxMcapChunk_s)) {
       write_chunk();
     }
     if (chunk_.empty()) chunk_start_s_ = scan.time_s;
@@ -131,7 +132,7 @@ class McapWriter final : public ScanWriter {
   }
 
   /// The channel, made known to the file where it is new.
-  Channel& channel_of(McapContent content, const LaserScan& scan) {
+  WrittenChannel& channel_of(McapContent content, const LaserScan& scan) {
     const auto kind = static_cast<std::size_t>(content);
     const std::string topic = "/" + (scan.source.empty() ? "scan" : as_utf8(scan.source)) +
                               std::string(kMcapSchemas[kind].topic_ending);
@@ -148,7 +149,7 @@ class McapWriter final : public ScanWriter {
       append_mcap_record(schemas_, McapOp::kSchema, schema_record(kind));
       append_mcap_record(chunk_, McapOp::kSchema, schema_record(kind));
     }
-    Channel channel;
+    WrittenChannel channel;
     channel.id = static_cast<std::uint16_t>(channels_.size());
     std::string record;
     append_number(record, channel.id);
@@ -162,7 +163,7 @@ class McapWriter final : public ScanWriter {
   }
 
   void add(McapContent content, const LaserScan& scan, std::uint64_t time_ns, const std::string& json) {
-    Channel& channel = channel_of(content, scan);
+    WrittenChannel& channel = channel_of(content, scan);
     channel.index.push_back({time_ns, chunk_.size()});
     chunk_span_.include(time_ns);
     span_.include(time_ns);
@@ -190,7 +191,7 @@ class McapWriter final : public ScanWriter {
     append_mcap_record(bytes, McapOp::kChunk, chunk);
     const std::uint64_t chunk_length = bytes.size();
     std::string offsets;
-    for (Channel& channel : channels_) append_message_index(bytes, offsets, channel);
+    for (WrittenChannel& channel : channels_) append_message_index(bytes, offsets, channel);
 
     std::string index;
     append_number(index, chunk_span_.start_ns);
@@ -210,12 +211,12 @@ class McapWriter final : public ScanWriter {
   }
 
   /// Appends the index of a channel's messages in the open chunk, and where it will stand to `offsets`.
-  void append_message_index(std::string& bytes, std::string& offsets, Channel& channel) const {
+  void append_message_index(std::string& bytes, std::string& offsets, WrittenChannel& channel) const {
     if (channel.index.empty()) return;
     append_number(offsets, channel.id);
     append_number(offsets, position_ + bytes.size());
     std::string entries;
-    for (const IndexEntry& entry : channel.index) {
+    for (const McapIndexEntry& entry : channel.index) {
       append_number(entries, entry.time_ns);
       append_number(entries, entry.offset);
     }
@@ -229,7 +230,7 @@ class McapWriter final : public ScanWriter {
   std::string statistics() const {
     std::string counts;
     std::uint64_t num_messages = 0;
-    for (const Channel& channel : channels_) {
+    for (const WrittenChannel& channel : channels_) {
       append_number(counts, channel.id);
       append_number(counts, channel.num_messages);
       num_messages += channel.num_messages;
@@ -264,7 +265,7 @@ class McapWriter final : public ScanWriter {
       out.append(group);
     };
     std::string channels;
-    for (const Channel& channel : channels_) channels.append(channel.record);
+    for (const WrittenChannel& channel : channels_) channels.append(channel.record);
     add_group(McapOp::kSchema, schemas_);
     add_group(McapOp::kChannel, channels);
     add_group(McapOp::kStatistics, statistics());
@@ -285,7 +286,7 @@ class McapWriter final : public ScanWriter {
   std::unique_ptr<ByteSink> sink_;
   std::uint64_t position_ = 0;  // in the file
   std::uint32_t crc_ = 0;       // of all bytes so far
-  std::vector<Channel> channels_;
+  std::vector<WrittenChannel> channels_;
   std::map<std::pair<std::string, std::size_t>, std::size_t> ids_;  // by topic and kind
   std::array<bool, kMcapSchemas.size()> is_schema_known_ = {};
 

@@ -18,8 +18,6 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr int kMostLasers = 1000;
-
 /// What stands in front of each message.
 struct Prefix {
   double time_s = 0.0;
@@ -38,7 +36,7 @@ Prefix read_prefix(FieldReader& fields) {
   prefix.index = fields.count("index");
   prefix.type = fields.count("type");
   prefix.subtype = fields.count("subtype");
-  if (prefix.index >= kMostLasers) fields.fail("index is more than 999");
+  if (prefix.index >= kMostPlayerLasers) fields.fail("index is more than 999");
   return prefix;
 }
 
@@ -60,7 +58,7 @@ ScanGeometry read_geometry_fields(FieldReader& fields) {
   return geometry;
 }
 
-double to_range_m(double reading_m, double max_range_m) {
+double player_range_m(double reading_m, double max_range_m) {
   if (reading_m >= max_range_m) return kNoEcho;
   if (reading_m == 0.0) return kTooClose;
   return reading_m > 0.0 ? reading_m : kInvalid;
@@ -87,7 +85,7 @@ void read_message(FieldReader& fields, const Prefix& prefix, LaserScan& scan) {
                 std::to_string(num_fields) + " fields left on the line, two a reading");
   }
   for (int i = 0; fields.ok() && i < scan.geometry.num_beams; ++i) {
-    scan.range_m.push_back(to_range_m(fields.number("a reading"), scan.geometry.max_range_m));
+    scan.range_m.push_back(player_range_m(fields.number("a reading"), scan.geometry.max_range_m));
     fields.word();  // intensity
   }
   if (!fields.ok()) throw InputError("laser: " + fields.failure());
@@ -167,7 +165,8 @@ class PlayerSource final : public ScanSource {
     } else if (text.starts_with(kLaser)) {
       FieldReader fields(text.substr(kLaser.size()));
       const int index = fields.count("index");
-      if (!fields.ok() || index >= kMostLasers) throw InputError("a laser's index is no number up to 999");
+      if (!fields.ok() || index >= kMostPlayerLasers)
+        throw InputError("a laser's index is no number up to 999");
       names_[index] = parse_json(text.substr(std::min(text.find('{'), text.size()))).at("name").text("name");
     }
   }

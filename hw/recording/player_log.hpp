@@ -9,6 +9,9 @@
 
 namespace scanbed::hw {
 
+/// A device's index has up to three digits.
+inline constexpr int kMostPlayerLasers = 1000;
+
 /// Which device of a Player log is read.
 struct PlayerOptions {
   std::string only;  ///< "laser:1", or the name that the log gives it; empty reads all lasers

@@ -13,13 +13,13 @@
 
 #include "core/errors/input_error.hpp"
 #include "hw/recording/json_text.hpp"
+#include "hw/recording/player_log.hpp"
 #include "hw/recording/text_fields.hpp"
 
 namespace scanbed::hw {
 namespace {
 
-constexpr double kNoEchoReading_m = 81.91;
-constexpr int kMostLasers = 1000;
+constexpr double kPlayerNoEcho_m = 81.91;
 
 /// As printf("%0*.*f") or with a plus sign, in front of a number of a prefix or a message.
 void append_padded(std::string& out, const char* format, double value) {
@@ -37,8 +37,8 @@ void append_prefix(std::string& out, double time_s, int index, std::string_view 
 }
 
 /// Readings from the maximum range on mean "no return", so it must lie beyond all ranges, rounded.
-double max_range_m(const LaserScan& scan) {
-  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kNoEchoReading_m;
+double player_max_range_m(const LaserScan& scan) {
+  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kPlayerNoEcho_m;
   for (const double range_m : scan.range_m) {
     if (std::isfinite(range_m) && range_m + 0.001 > max_m) max_m = range_m + 0.002;
   }
@@ -52,7 +52,7 @@ double to_reading_m(double range_m, double max_m) {
 
 void append_scan(std::string& out, const LaserScan& scan, std::int64_t id) {
   const ScanGeometry& geometry = scan.geometry;
-  const double max_m = max_range_m(scan);
+  const double max_m = player_max_range_m(scan);
   append_padded(out, " %04.0f", static_cast<double>(id));
   if (scan.X_OR) {
     append_padded(out, " %+07.3f", scan.X_OR->p_m.x());
@@ -94,7 +94,7 @@ class PlayerWriter final : public ScanWriter {
   int index_of(const LaserScan& scan, std::string& text) {
     const auto [found, is_new] = indices_.try_emplace(scan.source, static_cast<int>(indices_.size()));
     if (!is_new) return found->second;
-    if (found->second >= kMostLasers) throw InputError("a Player log holds no more than 1000 lasers");
+    if (found->second >= kMostPlayerLasers) throw InputError("a Player log holds no more than 1000 lasers");
     std::string name;
     JsonText(name).begin_object().key("name").text(scan.source).end_object();
     text.append("## laser " + std::to_string(found->second) + " " + name + "\n");

@@ -18,7 +18,7 @@
 namespace scanbed::hw {
 namespace {
 
-SensorFault fault(const char* what) {
+SensorFault terminal_fault(const char* what) {
   return {SensorFault::Kind::kDisconnected,
           std::string("pseudo-terminal: ") + what + ": " + std::strerror(errno)};
 }
@@ -26,10 +26,10 @@ SensorFault fault(const char* what) {
 // Else the line discipline would echo the sensor's own bytes back to it.
 void make_raw(int fd) {
   termios settings{};
-  if (tcgetattr(fd, &settings) != 0) throw fault("tcgetattr");
+  if (tcgetattr(fd, &settings) != 0) throw terminal_fault("tcgetattr");
   cfmakeraw(&settings);
   cfsetspeed(&settings, B9600);
-  if (tcsetattr(fd, TCSANOW, &settings) != 0) throw fault("tcsetattr");
+  if (tcsetattr(fd, TCSANOW, &settings) != 0) throw terminal_fault("tcsetattr");
 }
 
 /// A lock on the whole of a port. Hosts lock it by flock(), which knows nothing of these; the system drops it
@@ -90,16 +90,16 @@ void PseudoTerminal::remove_link() {
 
 void PseudoTerminal::plug() {
   master_.reset(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!master_.is_open()) throw fault("posix_openpt");
-  if (grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) throw fault("unlockpt");
+  if (!master_.is_open()) throw terminal_fault("posix_openpt");
+  if (grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) throw terminal_fault("unlockpt");
   std::array<char, 128> name{};
-  if (ptsname_r(master_.get(), name.data(), name.size()) != 0) throw fault("ptsname");
+  if (ptsname_r(master_.get(), name.data(), name.size()) != 0) throw terminal_fault("ptsname");
   path_ = name.data();
   slave_.reset(::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
-  if (!slave_.is_open()) throw fault(name.data());
+  if (!slave_.is_open()) throw terminal_fault(name.data());
   make_raw(slave_.get());
   struct flock lock = whole_file_lock();
-  if (::fcntl(slave_.get(), F_OFD_SETLK, &lock) != 0) throw fault("lock");
+  if (::fcntl(slave_.get(), F_OFD_SETLK, &lock) != 0) throw terminal_fault("lock");
   if (!link_.empty()) put_link(link_, path_);
 }
 

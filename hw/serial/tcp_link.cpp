@@ -20,9 +20,9 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr double kWritePatience_s = 1.0;
+constexpr double kSendPatience_s = 1.0;
 
-SensorFault fault(const std::string& message) {
+SensorFault link_fault(const std::string& message) {
   return {SensorFault::Kind::kDisconnected, message};
 }
 
@@ -37,7 +37,7 @@ Addresses resolve(const std::string& host, int port) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-  if (error != 0) throw fault(host + ": no such host (" + ::gai_strerror(error) + ")");
+  if (error != 0) throw link_fault(host + ": no such host (" + ::gai_strerror(error) + ")");
   return Addresses(found);
 }
 
@@ -74,8 +74,8 @@ FileDescriptor open_connection(const std::string& host, int port, double timeout
     FileDescriptor fd = connect_to(*address, timeout_s, stop, error);
     if (fd.is_open()) return fd;
   }
-  throw fault(host + ":" + std::to_string(port) + ": cannot connect (" + std::strerror(error) +
-              "); is the sensor on, in this network, and has it no other client?");
+  throw link_fault(host + ":" + std::to_string(port) + ": cannot connect (" + std::strerror(error) +
+                   "); is the sensor on, in this network, and has it no other client?");
 }
 
 }  // namespace
@@ -94,18 +94,18 @@ std::size_t TcpLink::read(std::span<std::uint8_t> buffer, double timeout_s, cons
   const ssize_t count = ::recv(fd_.get(), buffer.data(), buffer.size(), 0);
   if (count > 0) return static_cast<std::size_t>(count);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
-  throw fault(name_ + ": the other end closed the connection");
+  throw link_fault(name_ + ": the other end closed the connection");
 }
 
 void TcpLink::write(ByteView bytes, const StopSignal& stop) {
-  const double deadline_s = steady_now_s() + kWritePatience_s;
+  const double deadline_s = steady_now_s() + kSendPatience_s;
   while (!bytes.empty()) {
     const ssize_t count = ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count > 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(count));
       continue;
     }
-    if (count < 0 && errno != EAGAIN && errno != EINTR) throw fault(name_ + ": " + std::strerror(errno));
+    if (count < 0 && errno != EAGAIN && errno != EINTR) throw link_fault(name_ + ": " + std::strerror(errno));
     wait_for(fd_.get(), POLLOUT, 0.05, stop);
     if (steady_now_s() > deadline_s) {
       throw SensorFault(SensorFault::Kind::kTimeout, name_ + ": the other end takes no bytes");
@@ -129,7 +129,7 @@ TcpListener::TcpListener(int port) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_NO
   auto* const generic = reinterpret_cast<sockaddr*>(&address);
   if (::bind(fd_.get(), generic, size) != 0 || ::listen(fd_.get(), 4) != 0 ||
       ::getsockname(fd_.get(), generic, &size) != 0) {
-    throw fault("port " + std::to_string(port) + ": " + std::strerror(errno));
+    throw link_fault("port " + std::to_string(port) + ": " + std::strerror(errno));
   }
   port_ = ntohs(address.sin_port);
 }

@@ -16,7 +16,7 @@ constexpr std::array<std::uint8_t, 8> kPassword = {'S', 'I', 'C', 'K', '_', 'L',
 constexpr std::array<std::pair<std::uint8_t, int>, 4> kBaudCodes = {
     {{0x42, 9600}, {0x41, 19200}, {0x40, 38400}, {0x48, 500000}}};
 
-struct Encoder {
+struct CommandEncoder {
   Bytes operator()(const ResetCommand&) const { return {0x10}; }
 
   Bytes operator()(const SetModeCommand& command) const {
@@ -106,7 +106,7 @@ std::optional<LmsCommand> parse_with_data(std::uint8_t code, ByteView data) {
 }  // namespace
 
 Bytes encode(const LmsCommand& command) {
-  return std::visit(Encoder{}, command);
+  return std::visit(CommandEncoder{}, command);
 }
 
 std::optional<LmsCommand> parse_command(ByteView body) {

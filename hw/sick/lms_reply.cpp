@@ -65,7 +65,7 @@ Bytes encode_status(const StatusReply& reply) {
   return body;
 }
 
-struct Encoder {
+struct ReplyEncoder {
   Bytes operator()(const ResetReply&) const { return {0x91}; }
 
   Bytes operator()(const TypeReply& reply) const {
@@ -207,7 +207,7 @@ int baud_of_code(unsigned code) {
 }
 
 Bytes encode(const LmsReply& reply, LmsStatusByte status) {
-  Bytes body = std::visit(Encoder{}, reply);
+  Bytes body = std::visit(ReplyEncoder{}, reply);
   body.push_back(status.bits);
   return body;
 }

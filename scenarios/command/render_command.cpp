@@ -107,7 +107,7 @@ ExitCode render_film(const RenderCommand& command, const Scenario& scenario, Fea
     }
     if (scan.index != painted_scan) {
       const Features& features = detector.detect(scan);
-      image = painter.paint(sensor->state(), scan, features, caption(scenario, scan), sensor->truth());
+      image = painter.paint(sensor->state(), {scan, features, sensor->truth()}, caption(scenario, scan));
       painted_scan = scan.index;
     }
     films.write(image);
@@ -128,7 +128,7 @@ ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, 
   const Features& features = detector.detect(scan);
   sim::ScenePainter painter(sensor->world(), command.picture);
   const sim::Image image =
-      painter.paint(sensor->state(), scan, features, caption(scenario, scan), sensor->truth());
+      painter.paint(sensor->state(), {scan, features, sensor->truth()}, caption(scenario, scan));
   write_whole(command.out, sim::png_of(image));
   if (*command.out != "-") write_whole(std::nullopt, "picture: " + command.out->string() + "\n");
   return kExitFine;

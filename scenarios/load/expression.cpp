@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/angles.hpp"
+#include "scenarios/load/is_digit.hpp"
 #include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/number.hpp"
 #include "scenarios/load/place.hpp"
@@ -42,10 +43,6 @@ const Function* find_function(std::string_view name) {
     if (function.name == name) return &function;
   }
   return nullptr;
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
 }
 
 bool is_letter(char c) {

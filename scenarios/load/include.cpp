@@ -9,6 +9,7 @@
 
 #include "scenarios/load/confined_path.hpp"
 #include "scenarios/load/merge_trees.hpp"
+#include "scenarios/load/node.hpp"
 #include "scenarios/load/value.hpp"
 #include "scenarios/load/yaml.hpp"
 
@@ -16,13 +17,6 @@ namespace scanbed::scenarios {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::size_t count_nodes(const TreeNode& node) {
-  std::size_t count = 1;
-  for (const TreeNode& item : node.items) count += count_nodes(item);
-  for (const NodeEntry& entry : node.entries) count += count_nodes(entry.value);
-  return count;
-}
 
 class Includer {
  public:

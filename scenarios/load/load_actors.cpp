@@ -11,7 +11,6 @@
 namespace scanbed::scenarios {
 namespace {
 
-constexpr Allowed kSpeed{.least = 0.0, .greatest = 5.0, .open = true};
 constexpr Allowed kBodySize{.least = 0.0, .greatest = 3.0, .open = true};
 constexpr Allowed kStart{.least = 0.0, .greatest = 86'400.0};
 constexpr Allowed kMass_kg{.least = 0.0, .greatest = 1'000.0, .open = true};
@@ -23,7 +22,7 @@ sim::Path load_path(const Value& value) {
   const auto loop = table.take("loop");
   const auto line = table.take("line");
   sim::Path path;
-  path.round_m = table.number("round", 0.0, {.least = 0.0, .greatest = kFarthest_m});
+  path.round_m = table.number("round", 0.0, {.least = 0.0, .greatest = sim::kFarthest_m});
   const auto then = table.take("then");
   if (then) path.leave = then->choice(kEndings) == 1;
   table.finish();

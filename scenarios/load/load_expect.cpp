@@ -14,7 +14,6 @@ namespace scanbed::scenarios {
 namespace {
 
 constexpr Allowed kCount{.least = 0.0, .greatest = 10'000.0};
-constexpr Allowed kShare{.least = 0.0, .greatest = 1.0};
 constexpr Allowed kDistance_m{.least = 0.0, .greatest = 100.0, .open = true};
 
 // Names that truth uses, and those of the things that they are parts of: "bench", "bench.foot_0".

@@ -12,7 +12,6 @@
 namespace scanbed::scenarios {
 namespace {
 
-constexpr Allowed kSpeed{.least = 0.0, .greatest = 5.0, .open = true};
 constexpr Allowed kTurnRate_deg{.least = 0.0, .greatest = 360.0, .open = true};
 constexpr Allowed kWait{.least = 0.0, .greatest = 86'400.0};
 constexpr Allowed kRounds{.least = 1.0, .greatest = 1'000.0};
@@ -30,7 +29,7 @@ sim::DriveStep load_drive_path(const Value& value) {
   path.points_m = (loop ? *loop : *line).points_m(loop ? 2 : 1);
   if (loop) path.rounds = 1;
   if (rounds) path.rounds = static_cast<int>(rounds->count(kRounds));
-  if (round) path.round_m = round->number({.least = 0.0, .greatest = kFarthest_m});
+  if (round) path.round_m = round->number({.least = 0.0, .greatest = sim::kFarthest_m});
   return path;
 }
 

@@ -12,7 +12,6 @@ namespace scanbed::scenarios {
 namespace {
 
 constexpr Allowed kGate{.least = 0.0, .greatest = 10.0, .open = true};
-constexpr Allowed kShare{.least = 0.0, .greatest = 1.0};
 
 // What a bound may be: shares lie in [0, 1], the others only are not negative.
 Allowed allowed_bound(const Metric& metric) {

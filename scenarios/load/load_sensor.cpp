@@ -83,7 +83,7 @@ void load_sensor(const Value& value, Scenario& scenario) {
     lms.unit = unit->choice(kUnits) == 0 ? sim::RangeUnit::kMillimetre : sim::RangeUnit::kCentimetre;
   }
   load_timing(sensor, lms);
-  lms.min_range_m = sensor.number("min_range", lms.min_range_m, {.least = 0.0, .greatest = kFarthest_m});
+  lms.min_range_m = sensor.number("min_range", lms.min_range_m, {.least = 0.0, .greatest = sim::kFarthest_m});
   lms.max_range_m = sensor.number("max_range", lms.max_range_m, kLength);
   load_effects(sensor, lms);
   load_mount(sensor, scenario.world.robot);

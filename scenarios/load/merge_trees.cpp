@@ -6,15 +6,10 @@
 #include <string_view>
 #include <utility>
 
+#include "scenarios/load/node.hpp"
+
 namespace scanbed::scenarios {
 namespace {
-
-std::optional<std::string_view> id_of(const TreeNode& node) {
-  for (const NodeEntry& entry : node.entries) {
-    if (entry.key == "id") return entry.value.text;
-  }
-  return std::nullopt;
-}
 
 bool has_ids(const TreeNode& list) {
   return list.kind == TreeNode::Kind::kList && !list.items.empty() &&

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenarios/load/place.hpp"
@@ -28,5 +31,21 @@ struct NodeEntry {
   Place place;  ///< of the key
   TreeNode value;
 };
+
+/// How many values a tree holds, itself among them.
+inline std::size_t count_nodes(const TreeNode& node) {
+  std::size_t count = 1;
+  for (const TreeNode& item : node.items) count += count_nodes(item);
+  for (const NodeEntry& entry : node.entries) count += count_nodes(entry.value);
+  return count;
+}
+
+/// What stands behind a map's key "id"; valid as long as the map is.
+inline std::optional<std::string_view> id_of(const TreeNode& node) {
+  for (const NodeEntry& entry : node.entries) {
+    if (entry.key == "id") return entry.value.text;
+  }
+  return std::nullopt;
+}
 
 }  // namespace scanbed::scenarios

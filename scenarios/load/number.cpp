@@ -5,12 +5,10 @@
 #include <cmath>
 #include <system_error>
 
+#include "scenarios/load/is_digit.hpp"
+
 namespace scanbed::scenarios {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // "0", "0.5" and "12" are fine; "012" is not, as half of the world reads it as octal.
 bool starts_like_a_number(std::string_view digits) {

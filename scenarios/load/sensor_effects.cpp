@@ -7,7 +7,6 @@ namespace scanbed::scenarios {
 namespace {
 
 constexpr Allowed kSigma_m{.least = 0.0, .greatest = 0.5};
-constexpr Allowed kShare{.least = 0.0, .greatest = 1.0};
 constexpr Allowed kError_m{.least = -1.0, .greatest = 1.0};
 constexpr Allowed kRatio{.least = 0.0, .greatest = 100.0};
 constexpr Allowed kSpot_m{.least = 0.0, .greatest = 0.2};

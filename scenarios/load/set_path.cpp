@@ -10,6 +10,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/load/nearest_name.hpp"
+#include "scenarios/load/node.hpp"
 #include "scenarios/load/number.hpp"
 #include "scenarios/load/yaml.hpp"
 
@@ -41,19 +42,12 @@ TreeNode& step_into_map(TreeNode& map, const std::string& key, const Place& flag
   return map.entries.back().value;
 }
 
-std::optional<std::string> id_of(const TreeNode& element) {
-  for (const NodeEntry& entry : element.entries) {
-    if (entry.key == "id") return entry.value.text;
-  }
-  return std::nullopt;
-}
-
 TreeNode& step_into_list(TreeNode& list, const std::string& step, const Place& flag) {
   std::vector<std::string> ids;
   for (TreeNode& item : list.items) {
-    const std::optional<std::string> id = id_of(item);
+    const std::optional<std::string_view> id = id_of(item);
     if (id == step) return item;
-    if (id) ids.push_back(*id);
+    if (id) ids.emplace_back(*id);
   }
   const std::optional<std::int64_t> index = parse_count(step);
   if (index && static_cast<std::size_t>(*index) < list.items.size()) {

@@ -13,14 +13,16 @@
 #include "scenarios/load/asked.hpp"
 #include "scenarios/load/expression.hpp"
 #include "scenarios/load/node.hpp"
+#include "sim/world/world_limits.hpp"
 
 namespace scanbed::scenarios {
 
-/// Farther from the origin than this nothing can be placed (sim::World says why).
-inline constexpr double kFarthest_m = 1'000.0;
 /// Sizes and lengths: more than nothing, less than the world.
-inline constexpr Allowed kLength{.least = 0.0, .greatest = kFarthest_m, .open = true};
-inline constexpr Allowed kCoordinate{.least = -kFarthest_m, .greatest = kFarthest_m};
+inline constexpr Allowed kLength{.least = 0.0, .greatest = sim::kFarthest_m, .open = true};
+inline constexpr Allowed kCoordinate{.least = -sim::kFarthest_m, .greatest = sim::kFarthest_m};
+inline constexpr Allowed kShare{.least = 0.0, .greatest = 1.0};
+/// Of robots and people, m/s.
+inline constexpr Allowed kSpeed{.least = 0.0, .greatest = 5.0, .open = true};
 inline constexpr Allowed kAngle_deg{.least = -36'000.0, .greatest = 36'000.0};
 
 /// One value of a file, with the name of its key and the variables in force. A light handle: node and

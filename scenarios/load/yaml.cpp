@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "scenarios/load/node.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -27,13 +28,6 @@ bool is_utf8(const std::string& text) {
   } catch (const nlohmann::json::type_error&) {
     return false;
   }
-}
-
-std::size_t count_nodes(const TreeNode& node) {
-  std::size_t count = 1;
-  for (const TreeNode& item : node.items) count += count_nodes(item);
-  for (const NodeEntry& entry : node.entries) count += count_nodes(entry.value);
-  return count;
 }
 
 // Builds our tree from the parser's events. The library's own tree keeps the first of duplicate keys, shares

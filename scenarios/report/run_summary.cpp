@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "scenarios/report/append_format.hpp"
+#include "scenarios/report/share_text.hpp"
 
 namespace scanbed::scenarios {
 namespace {
-
-std::string share(int part, int whole) {
-  return whole == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(part) / whole);
-}
 
 // Runs of one scenario.
 using Runs = std::span<const RunResult>;
@@ -56,8 +53,8 @@ Pool pool(Runs runs) {
 
 void append_tally(std::string& out, const Tally& tally, int num_scans) {
   const double num_false = tally.num_detections - tally.num_right;
-  append_format(out, "{:>8}{:>7}{:>7}", share(tally.num_right, tally.num_detections),
-                share(tally.num_found, tally.num_truths),
+  append_format(out, "{:>8}{:>7}{:>7}", share_text(tally.num_right, tally.num_detections),
+                share_text(tally.num_found, tally.num_truths),
                 num_scans == 0 ? "-" : fmt::format("{:.2f}", num_false / num_scans));
 }
 

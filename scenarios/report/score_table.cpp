@@ -8,15 +8,12 @@
 #include <optional>
 
 #include "scenarios/report/append_format.hpp"
+#include "scenarios/report/share_text.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
 constexpr std::array kKinds = {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg};
-
-std::string share(int part, int whole) {
-  return whole == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(part) / whole);
-}
 
 void append_head(std::string& out, const RunResult& result) {
   append_format(out, "{}  seed {}  laser {}  preset {}  {} scans{}\n", result.scenario, result.seed,
@@ -32,8 +29,8 @@ void append_tallies(std::string& out, const Scores& scores) {
     const std::string rms_error =
         tally.num_right == 0 ? "-" : fmt::format("{:.1f} mm", 1000.0 * tally.rms_error_m());
     append_format(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12.3f}{:>11}\n", to_string(kind),
-                  tally.num_truths, tally.num_found, share(tally.num_found, tally.num_truths),
-                  tally.num_detections, tally.num_right, share(tally.num_right, tally.num_detections),
+                  tally.num_truths, tally.num_found, share_text(tally.num_found, tally.num_truths),
+                  tally.num_detections, tally.num_right, share_text(tally.num_right, tally.num_detections),
                   scores.false_per_scan(score), rms_error);
   }
 }
@@ -53,7 +50,7 @@ void append_bands(std::string& out, const Scores& scores) {
       const std::string text =
           band.num_truths == 0
               ? "-"
-              : fmt::format("{} of {}", share(band.num_found, band.num_truths), band.num_truths);
+              : fmt::format("{} of {}", share_text(band.num_found, band.num_truths), band.num_truths);
       append_format(out, "{:>15}", text);
     }
     out += '\n';

@@ -63,7 +63,7 @@ void PictureTaker::take(Series& series, const LaserScan& scan, const Features& f
   }
   const std::string name =
       fmt::format("{}_{}_{:g}s.png", scenario_.name, to_string(series.view), series.times_s[series.next]);
-  const sim::Image image = series.painter->paint(sensor_.state(), scan, features, caption(scenario_, scan));
+  const sim::Image image = series.painter->paint(sensor_.state(), {scan, features}, caption(scenario_, scan));
   write_whole(folder_ / name, sim::png_of(image));
   files_.push_back(folder_ / name);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/errors/ensure.hpp"
+#include "core/geometry/cross.hpp"
 #include "core/scan/truth.hpp"
 #include "sim/planar/coarse_atan2.hpp"
 
@@ -17,10 +18,6 @@ using Eigen::Vector2d;
 
 constexpr double kNobody = -1.0;
 constexpr double kOnSurface = std::numeric_limits<double>::infinity();  // 1 / range
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The z-buffer, as plain pointers that do not overlap.
 struct Beams {

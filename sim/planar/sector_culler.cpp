@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/geometry/cross.hpp"
+
 namespace scanbed::sim {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double kWidest_rad = kPi - 1e-3;
 
 Vector2d direction(double bearing_rad) {
   return {std::cos(bearing_rad), std::sin(bearing_rad)};
-}
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/errors/ensure.hpp"
+#include "core/geometry/cross.hpp"
 #include "core/scan/laser_scan.hpp"
 #include "sim/planar/coarse_atan2.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kMaxHalfSpot_rad = 0.5;  // closer to the window than its width an edge fills the view anyway
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 }  // namespace
 

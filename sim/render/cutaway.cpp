@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/errors/ensure.hpp"
+#include "core/geometry/cross.hpp"
 #include "sim/spatial/part_names.hpp"
 
 namespace scanbed::sim {
@@ -14,9 +15,7 @@ constexpr double kKerb_m = 0.10;
 
 // Positive where Q is to the left of the way from A to B.
 double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& q) {
-  const Eigen::Vector2d along = b - a;
-  const Eigen::Vector2d to_q = q - a;
-  return along.x() * to_q.y() - along.y() * to_q.x();
+  return cross(b - a, q - a);
 }
 
 void lower(const std::string& wall, mjModel& model) {

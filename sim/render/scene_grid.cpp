@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr int kMostRings = 8;
 
-Vector3d polar(double range_m, double bearing_rad) {
+Vector3d on_floor(double range_m, double bearing_rad) {
   return {range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad), 0.0};
 }
 
@@ -51,12 +51,13 @@ void draw_polar_grid(ScenePen& pen, const Eigen::Isometry3d& X_WS, double reach_
   for (int ring = 1; ring <= num_rings; ++ring) {
     ScenePen::Polyline3& line = lines.emplace_back();
     for (int i = 0; i <= kEdgesPerRing; ++i) {
-      line.push_back(X_WS * polar(ring * step_m, 2.0 * kPi * i / kEdgesPerRing));
+      line.push_back(X_WS * on_floor(ring * step_m, 2.0 * kPi * i / kEdgesPerRing));
     }
   }
   for (int i = 0; i < kNumRays; ++i) {
     const double bearing_rad = 2.0 * kPi * i / kNumRays;
-    lines.push_back({X_WS * polar(0.5 * step_m, bearing_rad), X_WS * polar(num_rings * step_m, bearing_rad)});
+    lines.push_back(
+        {X_WS * on_floor(0.5 * step_m, bearing_rad), X_WS * on_floor(num_rings * step_m, bearing_rad)});
   }
   pen.stroke_all(lines, {kGridColor, 1.2 * scale});
 }
@@ -67,7 +68,7 @@ void label_polar_grid(Canvas& canvas, const ViewCamera& camera, const Eigen::Iso
   const TextStyle style{{0.25, 0.27, 0.32, 1.0}, 11.5 * scale};
   const double step_m = ring_step_m(reach_m);
   for (int ring = 1; ring * step_m <= reach_m + 1e-9; ++ring) {
-    const std::optional<Projection> projection = camera.project(X_WS * polar(ring * step_m, 0.0));
+    const std::optional<Projection> projection = camera.project(X_WS * on_floor(ring * step_m, 0.0));
     if (!projection) continue;
     std::ostringstream text;
     text << ring * step_m << " m";

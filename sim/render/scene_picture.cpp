@@ -111,8 +111,8 @@ ScenePainter::ScenePainter(const World& world, const PictureOptions& options)
 
 ScenePainter::~ScenePainter() = default;
 
-Image ScenePainter::paint(const WorldState& state, const LaserScan& scan, const Features& features,
-                          const std::string& caption, const Truth* truth) {
+Image ScenePainter::paint(const WorldState& state, const Sight& sight, const std::string& caption) {
+  const auto& [scan, features, truth] = sight;
   Impl& self = *impl_;
   pose_actors(self.world, state, *self.model, *self.data);
   const Eigen::Isometry3d X_WS = self.laser_pose(state);

@@ -45,6 +45,13 @@ struct PictureOptions {
   void validate() const;  ///< @throws InputError naming the first field out of range
 };
 
+/// What a laser saw, and what was found in it.
+struct Sight {
+  const LaserScan& scan;         ///< in the sensor frame, state.X_WR * robot.X_RS of the state painted
+  const Features& features;      ///< likewise
+  const Truth* truth = nullptr;  ///< of the scan; without it truth and labels are not drawn
+};
+
 /// Off-screen pictures of a world (MuJoCo drawn by OSMesa) with a scan and its features drawn over it: lines
 /// red, circles green, legs purple, as in the paper.
 class ScenePainter {
@@ -56,11 +63,8 @@ class ScenePainter {
   ScenePainter(const ScenePainter&) = delete;
   ScenePainter& operator=(const ScenePainter&) = delete;
 
-  /// @param scan, features  in the sensor frame of state.X_WR * robot.X_RS.
-  /// @param caption         one line at the top of the picture.
-  /// @param truth           of the scan; without it truth and labels are not drawn.
-  Image paint(const WorldState& state, const LaserScan& scan, const Features& features,
-              const std::string& caption, const Truth* truth = nullptr);
+  /// @param caption  one line at the top of the picture.
+  Image paint(const WorldState& state, const Sight& sight, const std::string& caption);
 
  private:
   struct Impl;

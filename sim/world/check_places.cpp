@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/quoted.hpp"
 #include "sim/world/rounded_path.hpp"
 #include "sim/world/solid_geometry.hpp"
 
@@ -17,10 +18,6 @@ using Eigen::Vector2d;
 using Bounds = Eigen::AlignedBox2d;
 
 constexpr double kRounding_m = 1e-9;
-
-std::string quoted(const char* kind, const std::string& id) {
-  return std::string(kind) + " '" + id + "'";
-}
 
 /// Something round that must find room at its start.
 struct Disc {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kReach_m = 1.5;
+constexpr double kAsideReach_m = 1.5;
 constexpr double kMostAside_m = 0.45;
 constexpr double kEarSide_m = 0.3;  // who is less than this to the right is passed on the right as well
 constexpr double kSameWay_m2_per_s2 = 0.25;  // slower relative motion is that of companions
@@ -29,7 +29,7 @@ double SideStep::to_the_left_m(double time_s) const {
     const Gait& other = (*all_)[i];
     if (static_cast<int>(i) == self_) continue;
     const Vector2d p_WO = other.pose_at(time_s).p_m;
-    const double near = 1.0 - (p_WO - X_WP.p_m).squaredNorm() / (kReach_m * kReach_m);
+    const double near = 1.0 - (p_WO - X_WP.p_m).squaredNorm() / (kAsideReach_m * kAsideReach_m);
     if (near <= 0.0) continue;
     const Vector2d p_PO = X_WP.inverse() * p_WO;
     const double apart_sq = (velocity_m_per_s(self, time_s) - velocity_m_per_s(other, time_s)).squaredNorm();

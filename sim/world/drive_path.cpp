@@ -6,26 +6,25 @@
 #include <string>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/world_limits.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kReach_m = 1000.0;
-constexpr double kMinEdge_m = 1e-3;
 constexpr double kMinRadius_m = 1e-3;  // tighter arcs are turns on the spot
 constexpr int kMostPoints = 100'000;
 
 /// A straight way between two points.
-struct Edge {
+struct Stretch {
   double heading_rad = 0.0;
   double length_m = 0.0;
 };
 
 // From where the robot stands; rounds are unrolled. Points on which it stands already make no edge.
-std::vector<Edge> edges_of(const FollowPath& path, const Vector2d& p_WR) {
-  std::vector<Edge> edges;
+std::vector<Stretch> stretches_of(const FollowPath& path, const Vector2d& p_WR) {
+  std::vector<Stretch> edges;
   Vector2d from_m = p_WR;
   const auto add = [&](const Vector2d& to_m) {
     const Vector2d way_m = to_m - from_m;
@@ -84,7 +83,7 @@ Pose2 Motion::pose_behind(const Pose2& X_WR, double time_s) const {
 }
 
 std::vector<Motion> motions_along(const FollowPath& path, const Pose2& X_WR, const Robot& robot) {
-  const std::vector<Edge> edges = edges_of(path, X_WR.p_m);
+  const std::vector<Stretch> edges = stretches_of(path, X_WR.p_m);
   MotionList motions(robot);
   if (edges.empty()) return motions.take();
   const double wanted_m = path.round_m.value_or(robot.speed_m_per_s / robot.turn_rad_per_s);
@@ -115,7 +114,7 @@ void validate_path(const FollowPath& path, std::string_view name) {
   for (std::size_t i = 0; i < path.points_m.size(); ++i) {
     const std::string point = subject + ": point " + std::to_string(i);
     for (const double value : {path.points_m[i].x(), path.points_m[i].y()}) {
-      require(std::abs(value) <= kReach_m, point, value, "within 1000 m of the origin");
+      require(std::abs(value) <= kFarthest_m, point, value, "within 1000 m of the origin");
     }
     if (i == 0 && (path.rounds == 0 || path.points_m.size() < 2)) continue;
     const double length_m =
@@ -127,7 +126,7 @@ void validate_path(const FollowPath& path, std::string_view name) {
   require(path.rounds >= 0 && path.rounds * num_points <= kMostPoints, subject + ": rounds", path.rounds,
           "[0, " + std::to_string(kMostPoints / static_cast<int>(num_points)) + "]");
   const double radius_m = path.round_m.value_or(0.0);
-  require(radius_m >= 0.0 && radius_m <= kReach_m, subject + ": round_m", radius_m, "[0, 1000]");
+  require(radius_m >= 0.0 && radius_m <= kFarthest_m, subject + ": round_m", radius_m, "[0, 1000]");
 }
 
 }  // namespace scanbed::sim

@@ -7,11 +7,10 @@
 #include <string>
 
 #include "core/errors/input_error.hpp"
+#include "sim/world/world_limits.hpp"
 
 namespace scanbed::sim {
 namespace {
-
-constexpr double kReach_m = 1000.0;
 
 struct MotionsOf {
   const Robot& robot;
@@ -41,15 +40,15 @@ struct CheckStep {
     require(std::abs(turn.angle_rad) <= 1e3 * kPi, name + ": turn", turn.angle_rad, "at most 500 turns");
   }
   void operator()(const Go& go) const {
-    require(std::abs(go.distance_m) <= kReach_m, name + ": go", go.distance_m, "at most 1000 m");
+    require(std::abs(go.distance_m) <= kFarthest_m, name + ": go", go.distance_m, "at most 1000 m");
   }
   void operator()(const FollowPath& path) const { validate_path(path, name); }
   void operator()(const FollowLegs& legs) const {
     const std::string follow = name + ": follow: ";
-    require(legs.distance_m > 0.0 && legs.distance_m <= kReach_m, follow + "distance_m", legs.distance_m,
+    require(legs.distance_m > 0.0 && legs.distance_m <= kFarthest_m, follow + "distance_m", legs.distance_m,
             "(0, 1000]");
     require(legs.for_s > 0.0, follow + "for_s", legs.for_s, "> 0");
-    require(legs.within_m > 0.0 && legs.within_m <= kReach_m, follow + "within_m", legs.within_m,
+    require(legs.within_m > 0.0 && legs.within_m <= kFarthest_m, follow + "within_m", legs.within_m,
             "(0, 1000]");
     require(legs.patience_s >= 0.0 && legs.patience_s <= 60.0, follow + "patience_s", legs.patience_s,
             "[0, 60]");

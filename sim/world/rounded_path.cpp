@@ -7,6 +7,7 @@
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
+#include "sim/world/world_limits.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kSharpTurn_m = 0.15;
-constexpr double kMinEdge_m = 1e-3;
 constexpr double kSlack_m = 1e-9;  // rounding, where two arcs meet in the middle of an edge
 
 /// An edge of the path as drawn, and what the corner at its end does to it.

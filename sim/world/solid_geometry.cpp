@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/geometry/cross.hpp"
+
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 std::vector<Edge> edges_along(const std::vector<Vector2d>& corners_m, bool closed) {
   std::vector<Edge> edges;

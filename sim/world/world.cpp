@@ -7,28 +7,24 @@
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "core/geometry/cross.hpp"
 #include "sim/world/check_places.hpp"
 #include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
+#include "sim/world/quoted.hpp"
 #include "sim/world/rounded_path.hpp"
 #include "sim/world/solid_geometry.hpp"
+#include "sim/world/world_limits.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
 
-// The planar engine counts in single precision: within a kilometre its steps stay below 0.1 mm.
-constexpr double kReach_m = 1000.0;
-constexpr double kMinEdge_m = 1e-3;
 constexpr double kMostWalked_m = 1e6;
 
-std::string quoted(const char* kind, const std::string& id) {
-  return std::string(kind) + " '" + id + "'";
-}
-
 void require_positive(double value, const std::string& name) {
-  require(std::isfinite(value) && value > 0.0 && value <= kReach_m, name, value, "> 0, at most 1000");
+  require(std::isfinite(value) && value > 0.0 && value <= kFarthest_m, name, value, "> 0, at most 1000");
 }
 
 void require_not_negative(double value, const std::string& name) {
@@ -37,7 +33,7 @@ void require_not_negative(double value, const std::string& name) {
 
 void require_place(const Vector2d& p, const std::string& name) {
   for (const double value : {p.x(), p.y()}) {
-    require(std::abs(value) <= kReach_m, name, value, "within 1000 m of the origin");
+    require(std::abs(value) <= kFarthest_m, name, value, "within 1000 m of the origin");
   }
 }
 
@@ -65,7 +61,7 @@ void check_convex(const std::vector<Vector2d>& corners_m, const std::string& nam
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2d before = corners_m[i] - corners_m[(i + n - 1) % n];
     const Vector2d behind = corners_m[(i + 1) % n] - corners_m[i];
-    const double turn_rad = std::atan2(before.x() * behind.y() - before.y() * behind.x(), before.dot(behind));
+    const double turn_rad = std::atan2(cross(before, behind), before.dot(behind));
     require(turn_rad > 0.0 && turn_rad < kPi, name + ": turn_rad at corner " + std::to_string(i), turn_rad,
             "> 0, < pi (convex, counter-clockwise)");
     sum_rad += turn_rad;

@@ -26,7 +26,7 @@ void picture_of_the_hall(benchmark::State& state) {
   const Features& features = detector.detect(scan);
   ScenePainter painter(lms.world(), picture_of(static_cast<View>(state.range(0))));
   while (state.KeepRunning()) {
-    benchmark::DoNotOptimize(painter.paint(lms.state(), scan, features, "hall", lms.truth()).rgb.data());
+    benchmark::DoNotOptimize(painter.paint(lms.state(), {scan, features, lms.truth()}, "hall").rgb.data());
   }
 }
 BENCHMARK(picture_of_the_hall)

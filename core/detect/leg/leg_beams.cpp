@@ -12,7 +12,7 @@ namespace scanbed {
 namespace {
 
 // Farther echoes say no more about a leg's surroundings.
-constexpr double kMaxRange_m = 100.0;
+constexpr double kMaxEcho_m = 100.0;
 constexpr double kMinStep_rad = 1e-5;  // a geometry without steps must not divide by them
 
 }  // namespace
@@ -54,7 +54,7 @@ int LegBeamReader::read_beams(const LaserScan& scan, int first_beam, int num_ech
     const double range_m = scan.range_m[i];
     const double x_m = range_m * directions_.x(i);
     const double y_m = range_m * directions_.y(i);
-    const bool is_echo = range_m > 0.0 && range_m <= kMaxRange_m && std::isfinite(x_m + y_m);
+    const bool is_echo = range_m > 0.0 && range_m <= kMaxEcho_m && std::isfinite(x_m + y_m);
     beams.range_m[i] = is_echo ? static_cast<float>(range_m) : LegBeams::kNothing_m;
     beams.x_m[i] = is_echo ? static_cast<float>(x_m) : LegBeams::kNothing_m;
     beams.y_m[i] = is_echo ? static_cast<float>(y_m) : LegBeams::kNothing_m;
@@ -88,7 +88,7 @@ SCANBED_AVX2 int LegBeamReader::read_beams_avx2(const LaserScan& scan, LegBeams&
     const Quads off = x_m + y_m;
     const QuadMask is_finite =
         (off <= std::numeric_limits<double>::max()) & (off >= std::numeric_limits<double>::lowest());
-    const QuadMask is_echo = (range_m > 0.0) & (range_m <= kMaxRange_m) & is_finite;
+    const QuadMask is_echo = (range_m > 0.0) & (range_m <= kMaxEcho_m) & is_finite;
     store_beams(is_echo, range_m, &beams.range_m[i]);
     store_beams(is_echo, x_m, &beams.x_m[i]);
     store_beams(is_echo, y_m, &beams.y_m[i]);

@@ -16,7 +16,7 @@ constexpr int kJoined = 1;  // the segmentation in which what is too wide holds 
 constexpr double kSpacings = 1.5;
 constexpr int kMaxBridgedBeams = 2;
 constexpr double kMaxWidth_m = 0.55;
-constexpr double kMaxRange_m = 6.0;
+constexpr double kMaxLegRange_m = 6.0;
 constexpr int kMinHalvedEchoes = 4;
 constexpr double kMinHalvedWidth_m = 0.08;
 constexpr double kMaxHalvedWidth_m = 0.9;
@@ -174,7 +174,7 @@ void LegCandidateFinder::add(const CutScan& scan, const EchoRun& run) {
   const bool is_run = run.size() >= 2;
   const bool is_narrow = beams.distance_m(run.first, run.last) <= kMaxWidth_m;
   const bool is_free = scan.joined.width_of((run.first + run.last) / 2) <= kMaxWidth_m;
-  const bool is_close = middle_m <= kMaxRange_m;
+  const bool is_close = middle_m <= kMaxLegRange_m;
   found_[num_found_] = run;
   num_found_ += is_run && is_narrow && is_free && is_close ? 1 : 0;
 }

@@ -8,19 +8,14 @@
 #include "core/detect/table_two.hpp"
 #include "core/errors/input_error.hpp"
 #include "tests/support/ideal_scene.hpp"
+#include "tests/support/scan_of.hpp"
 
 namespace scanbed {
 namespace {
 
 using testing::IdealScene;
+using testing::scan_of;
 using testing::with_noise;
-
-LaserScan scan_of(std::vector<double> range_m) {
-  LaserScan scan;
-  scan.geometry.num_beams = static_cast<int>(range_m.size());
-  scan.range_m = std::move(range_m);
-  return scan;
-}
 
 bool is_empty(const Features& f) {
   return f.lines.empty() && f.circles.empty() && f.legs.empty();

@@ -10,7 +10,7 @@
 namespace scanbed {
 namespace {
 
-constexpr double kAnyLoss = 1e9;
+constexpr double kNoLimit = 1e9;
 
 struct Problem {
   int num_tracks = 0;
@@ -67,12 +67,12 @@ void pose(const Problem& problem, LegClaims& claims) {
 TEST(LegClaimsTest, NobodyClaimsNothing) {
   LegClaims claims;
   claims.reset(2, 3);
-  const std::span<const LegClaims::Answer> answers = claims.solve(5, kAnyLoss);
+  const std::span<const LegClaims::Answer> answers = claims.solve(5, kNoLimit);
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].gain, 0.0);
   EXPECT_EQ(claims.claim_of(answers[0], 1).first, kNoLeg);
   claims.reset(0, 0);
-  EXPECT_EQ(claims.solve(5, kAnyLoss).size(), 1u);
+  EXPECT_EQ(claims.solve(5, kNoLimit).size(), 1u);
 }
 
 // Greedy would give both legs to the first track, for 10; with one for each there are 6 + 7.
@@ -82,7 +82,7 @@ TEST(LegClaimsTest, TheSumCounts) {
   claims.add({.track = 0, .first = 0, .second = 1, .gain = 10.0});
   claims.add({.track = 0, .first = 0, .gain = 6.0});
   claims.add({.track = 1, .first = 1, .gain = 7.0});
-  const std::span<const LegClaims::Answer> answers = claims.solve(1, kAnyLoss);
+  const std::span<const LegClaims::Answer> answers = claims.solve(1, kNoLimit);
   ASSERT_EQ(answers.size(), 1u);
   EXPECT_EQ(answers[0].gain, 13.0);
   EXPECT_EQ(claims.claim_of(answers[0], 0).first, 0);
@@ -107,7 +107,7 @@ TEST(LegClaimsTest, TheBestAnswersAreThoseOfASearchThroughAll) {
     const Problem problem = random_problem(seed);
     pose(problem, claims);
     const std::vector<double> expected = all_gains(problem);
-    const std::span<const LegClaims::Answer> answers = claims.solve(1000, kAnyLoss);
+    const std::span<const LegClaims::Answer> answers = claims.solve(1000, kNoLimit);
     ASSERT_EQ(answers.size(), std::min<std::size_t>(expected.size(), 1000)) << seed;
     for (std::size_t i = 0; i < answers.size(); ++i) EXPECT_EQ(answers[i].gain, expected[i]) << seed;
   }

@@ -10,7 +10,7 @@
 namespace scanbed {
 namespace {
 
-constexpr double kPeriod_s = 0.1;
+constexpr double kScanPeriod_s = 0.1;
 constexpr double kAccel_m2_per_s3 = 1.0;
 
 LiveTrack walker(int id, const Eigen::Vector2d& p_m, const Eigen::Vector2d& v_m_per_s) {
@@ -32,8 +32,8 @@ LiveTrack newcomer_at(const Eigen::Vector2d& p_m) {
 
 void wait(LostPeople& lost, double time_s) {
   const LaserScan scan = testing::open_scan(0.0);
-  for (int i = 0; i < std::lround(time_s / kPeriod_s); ++i)
-    lost.predict({scan, {}, kPeriod_s}, kAccel_m2_per_s3, {});
+  for (int i = 0; i < std::lround(time_s / kScanPeriod_s); ++i)
+    lost.predict({scan, {}, kScanPeriod_s}, kAccel_m2_per_s3, {});
 }
 
 TEST(LostPeopleTest, RemembersOnlyPeopleWhoWalkedAndWereReported) {
@@ -53,9 +53,9 @@ TEST(LostPeopleTest, RemembersOnlyPeopleWhoWalkedAndWereReported) {
 TEST(LostPeopleTest, ForgetsAfterTheTimeInTheOptions) {
   LostPeople lost;
   lost.remember(walker(1, {2.0, 0.0}, {1.0, 0.0}));
-  wait(lost, TrackOptions{}.max_lost_s - kPeriod_s);
+  wait(lost, TrackOptions{}.max_lost_s - kScanPeriod_s);
   EXPECT_EQ(lost.people().size(), 1u);
-  wait(lost, 2.0 * kPeriod_s);
+  wait(lost, 2.0 * kScanPeriod_s);
   EXPECT_TRUE(lost.people().empty());
 }
 

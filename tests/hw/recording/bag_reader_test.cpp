@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hw/recording/bag_reader.hpp"
 
-#include <bzlib.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +8,12 @@
 #include "hw/recording/bag_record.hpp"
 #include "hw/recording/ros_messages.hpp"
 #include "tests/hw/recording/made_recording.hpp"
+#include "tests/support/bzip2.hpp"
 
 namespace scanbed::hw {
 namespace {
+
+using tests::bzip2;
 
 std::string bag_header(std::uint64_t index_position) {
   std::string out(kBagMagic);
@@ -49,16 +51,6 @@ std::string chunk(std::string_view packing, std::size_t num_bytes, std::string_v
 
 std::string plain_chunk(const std::string& records) {
   return chunk("none", records.size(), records);
-}
-
-std::string bzip2(std::string bytes) {
-  std::string packed(bytes.size() + 1000, '\0');
-  auto num_packed = static_cast<unsigned>(packed.size());
-  EXPECT_EQ(BZ2_bzBuffToBuffCompress(packed.data(), &num_packed, bytes.data(),
-                                     static_cast<unsigned>(bytes.size()), 9, 0, 0),
-            BZ_OK);
-  packed.resize(num_packed);
-  return packed;
 }
 
 std::string records_of(int number) {

@@ -18,15 +18,15 @@ namespace {
 using tests::gzip;
 
 /// All that reading a log to its end showed.
-struct Reading {
+struct CarmenReading {
   std::vector<LaserScan> scans;
   std::vector<std::string> reports;
   CarmenLogCounts counts;
   std::string error;  // of the InputError that ended it, if one did
 };
 
-Reading read_all(std::string bytes, const CarmenLogOptions& options = {}) {
-  Reading reading;
+CarmenReading read_carmen(std::string bytes, const CarmenLogOptions& options = {}) {
+  CarmenReading reading;
   const auto report = [&](const std::string& message) { reading.reports.push_back(message); };
   try {
     CarmenLog log(from_memory(std::move(bytes)), "x.log", options, report);
@@ -49,8 +49,8 @@ std::string line(int first_reading, const std::string& time = "1") {
 }
 
 TEST(CarmenLogTest, GivesScansInOrderAndCountsTheRest) {
-  const Reading reading =
-      read_all("# a log\nPARAM a b nohost 0\n\n" + line(1, "10") + "ODOM 0 0 0\n" + line(2, "10.5"));
+  const CarmenReading reading =
+      read_carmen("# a log\nPARAM a b nohost 0\n\n" + line(1, "10") + "ODOM 0 0 0\n" + line(2, "10.5"));
   EXPECT_EQ(reading.error, "");
   ASSERT_EQ(reading.scans.size(), 2U);
   EXPECT_EQ(reading.scans[0].index, 0);
@@ -67,8 +67,8 @@ TEST(CarmenLogTest, GivesScansInOrderAndCountsTheRest) {
 TEST(CarmenLogTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
   const std::string zeros(20, '\0');
   const std::string endless = "FLASER 600000 " + std::string(3 << 20, '1');
-  const Reading reading = read_all(line(1) + "FLASER 3 1 x 3 0 0 0 0 0 0 1 host 0\n" + line(2) + zeros +
-                                   "\n" + endless + "\n" + line(3));
+  const CarmenReading reading = read_carmen(line(1) + "FLASER 3 1 x 3 0 0 0 0 0 0 1 host 0\n" + line(2) +
+                                            zeros + "\n" + endless + "\n" + line(3));
   EXPECT_EQ(reading.error, "");
   EXPECT_EQ(reading.scans.size(), 3U);
   EXPECT_EQ(reading.reports,
@@ -80,8 +80,8 @@ TEST(CarmenLogTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
 
 TEST(CarmenLogTest, ADamagedLineLeavesNothingBehind) {
   // The damaged line has another geometry, and its odometry and time are good.
-  const Reading reading =
-      read_all(line(1) + "FLASER 2 5 x 1 1 1 1 1 1 9 host 0\n" + "FLASER 3 4 2 3 0 0 0 nan 0 0\n");
+  const CarmenReading reading =
+      read_carmen(line(1) + "FLASER 2 5 x 1 1 1 1 1 1 9 host 0\n" + "FLASER 3 4 2 3 0 0 0 nan 0 0\n");
   ASSERT_EQ(reading.scans.size(), 2U);
   EXPECT_EQ(reading.scans[1].geometry.num_beams, 3);
   EXPECT_EQ(reading.scans[1].range_m, (std::vector<double>{4, 2, 3}));
@@ -91,7 +91,7 @@ TEST(CarmenLogTest, ADamagedLineLeavesNothingBehind) {
 
 TEST(CarmenLogTest, AScanWithoutTimeHasTheTimeBeforeIt) {
   const std::string bare = "FLASER 1 1 0 0 0 0 0 0\n";
-  const Reading reading = read_all(bare + line(1, "7") + bare);
+  const CarmenReading reading = read_carmen(bare + line(1, "7") + bare);
   ASSERT_EQ(reading.scans.size(), 3U);
   EXPECT_EQ(reading.scans[0].time_s, 0.0);
   EXPECT_EQ(reading.scans[1].time_s, 7.0);
@@ -102,7 +102,7 @@ TEST(CarmenLogTest, LineEndsMayBeOfDosOrMissing) {
   std::string text = line(1) + line(2);
   text.insert(text.find('\n'), "\r");
   text.pop_back();
-  const Reading reading = read_all(text);
+  const CarmenReading reading = read_carmen(text);
   EXPECT_EQ(reading.scans.size(), 2U);
   EXPECT_EQ(reading.counts.num_damaged_lines, 0);
 }
@@ -110,10 +110,10 @@ TEST(CarmenLogTest, LineEndsMayBeOfDosOrMissing) {
 TEST(CarmenLogTest, ReadsOneMessageAlone) {
   std::string rear = line(2);
   rear[0] = 'R';
-  const Reading both = read_all(line(1) + rear);
+  const CarmenReading both = read_carmen(line(1) + rear);
   ASSERT_EQ(both.scans.size(), 2U);
   EXPECT_EQ(both.scans[1].source, "RLASER");
-  const Reading alone = read_all(line(1) + rear, {.only = "RLASER"});
+  const CarmenReading alone = read_carmen(line(1) + rear, {.only = "RLASER"});
   ASSERT_EQ(alone.scans.size(), 1U);
   EXPECT_EQ(alone.scans[0].range_m[0], 2.0);
   EXPECT_EQ(alone.counts.num_other_lines, 1);
@@ -140,8 +140,8 @@ TEST(CarmenLogTest, TheEndLeavesTheScanAloneAndStays) {
 }
 
 TEST(CarmenLogTest, ReadsGzipAndJoinedGzip) {
-  EXPECT_EQ(read_all(gzip(line(1) + line(2))).scans.size(), 2U);
-  const Reading joined = read_all(gzip(line(1)) + gzip(line(2) + line(3)));
+  EXPECT_EQ(read_carmen(gzip(line(1) + line(2))).scans.size(), 2U);
+  const CarmenReading joined = read_carmen(gzip(line(1)) + gzip(line(2) + line(3)));
   EXPECT_EQ(joined.scans.size(), 3U);
   EXPECT_EQ(joined.error, "");
 }
@@ -149,10 +149,10 @@ TEST(CarmenLogTest, ReadsGzipAndJoinedGzip) {
 TEST(CarmenLogTest, OfAGzipCutAtAnyByteGivesWhatIsCompleteAndSaysSo) {
   std::string text = "# a log\n";
   for (int i = 0; i < 20; ++i) text += line(i + 1, std::to_string(i * i));
-  const Reading whole = read_all(text);
+  const CarmenReading whole = read_carmen(text);
   const std::string packed = gzip(text);
   for (std::size_t size = 2; size < packed.size(); ++size) {
-    const Reading reading = read_all(packed.substr(0, size));
+    const CarmenReading reading = read_carmen(packed.substr(0, size));
     EXPECT_EQ(reading.error,
               "x.log: compressed data is cut off after " + std::to_string(reading.scans.size()) + " scans");
     EXPECT_EQ(reading.counts.num_damaged_lines, 0) << size;
@@ -162,21 +162,21 @@ TEST(CarmenLogTest, OfAGzipCutAtAnyByteGivesWhatIsCompleteAndSaysSo) {
       EXPECT_EQ(reading.scans[i].time_s, whole.scans[i].time_s) << size;
     }
   }
-  EXPECT_EQ(read_all(packed.substr(0, packed.size() - 1)).scans.size(), 20U);
+  EXPECT_EQ(read_carmen(packed.substr(0, packed.size() - 1)).scans.size(), 20U);
 }
 
 TEST(CarmenLogTest, SaysThatAGzipIsDamaged) {
   std::string packed = gzip(line(1));
   packed[packed.size() - 8] ^= 1;  // its checksum
-  EXPECT_EQ(read_all(packed).error, "x.log: compressed data is damaged after 1 scans");
+  EXPECT_EQ(read_carmen(packed).error, "x.log: compressed data is damaged after 1 scans");
 }
 
 TEST(CarmenLogTest, RefusesALogWithoutScans) {
-  EXPECT_EQ(read_all("").error, "x.log: holds no scan of a CARMEN log (0 damaged lines, 0 others)");
-  EXPECT_EQ(read_all("# nothing\nFLASER x\n").error,
+  EXPECT_EQ(read_carmen("").error, "x.log: holds no scan of a CARMEN log (0 damaged lines, 0 others)");
+  EXPECT_EQ(read_carmen("# nothing\nFLASER x\n").error,
             "x.log: holds no scan of a CARMEN log (1 damaged lines, 1 others)");
-  EXPECT_EQ(read_all(gzip("")).error, "x.log: holds no scan of a CARMEN log (0 damaged lines, 0 others)");
-  EXPECT_EQ(read_all(line(1), {.only = "RAWLASER1"}).error,
+  EXPECT_EQ(read_carmen(gzip("")).error, "x.log: holds no scan of a CARMEN log (0 damaged lines, 0 others)");
+  EXPECT_EQ(read_carmen(line(1), {.only = "RAWLASER1"}).error,
             "x.log: holds no scan of a CARMEN log with only=RAWLASER1; it has scans of FLASER (0 damaged "
             "lines, 1 others)");
 }

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "hw/recording/compression.hpp"
 
-#include <bzlib.h>
 #include <gtest/gtest.h>
 #include <zstd.h>
 
 #include "core/errors/input_error.hpp"
+#include "tests/support/bzip2.hpp"
 
 namespace scanbed::hw {
 namespace {
 
-std::string bzip2(std::string bytes) {
-  std::string packed(bytes.size() + 1000, '\0');
-  auto num_packed = static_cast<unsigned>(packed.size());
-  BZ2_bzBuffToBuffCompress(packed.data(), &num_packed, bytes.data(), static_cast<unsigned>(bytes.size()), 9,
-                           0, 0);
-  packed.resize(num_packed);
-  return packed;
-}
+using tests::bzip2;
 
 std::string zstd(const std::string& bytes) {
   std::string packed(ZSTD_compressBound(bytes.size()), '\0');

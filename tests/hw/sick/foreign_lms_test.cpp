@@ -17,7 +17,7 @@ using tests::ForeignHabits;
 using tests::ForeignLms;
 using Seconds = RangeSensor::Seconds;
 
-constexpr Seconds kPatience{30.0};
+constexpr Seconds kHostPatience{30.0};
 
 /// Reads `count` scans: each whole, true and later than the one before. Returns the last.
 LaserScan read_true_scans(SickLms& laser, const SickOptions& options, int count) {
@@ -25,7 +25,7 @@ LaserScan read_true_scans(SickLms& laser, const SickOptions& options, int count)
   std::int64_t last = -1;
   const double steps_per_m = options.unit == RangeUnit::kMillimetre ? 1000.0 : 100.0;
   for (int i = 0; i < count; ++i) {
-    EXPECT_TRUE(laser.next(scan, kPatience));
+    EXPECT_TRUE(laser.next(scan, kHostPatience));
     const auto number = tests::number_of(scan, steps_per_m);
     EXPECT_TRUE(number.has_value()) << "scan " << i;
     EXPECT_EQ(scan.num_beams(), options.variant().num_beams());
@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(All, ForeignRequestFaultTest,
 std::string failure_of(SickLms& laser) {
   LaserScan scan;
   try {
-    while (laser.next(scan, kPatience)) continue;
+    while (laser.next(scan, kHostPatience)) continue;
   } catch (const SensorFault& fault) {
     return fault.what();
   }

@@ -16,13 +16,13 @@ namespace {
 using tests::from_hex;
 using What = RequestCommand::What;
 
-struct Vector {
+struct CommandVector {
   LmsCommand command;
   const char* telegram;
 };
 
 // Telegrams as the manufacturer's listing prints them, or checked by four implementations of its CRC.
-std::vector<Vector> vectors() {
+std::vector<CommandVector> command_vectors() {
   return {
       {SetModeCommand{LmsMode::kInstallation, true}, "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5"},
       {SetModeCommand{LmsMode::kTest, true}, "02 00 0A 00 20 30 53 49 43 4B 5F 4C 4D 53 EE F5"},
@@ -54,13 +54,13 @@ std::vector<Vector> vectors() {
 }
 
 TEST(LmsCommandTest, EncodesEveryPrintedTelegram) {
-  for (const Vector& vector : vectors()) {
+  for (const CommandVector& vector : command_vectors()) {
     EXPECT_EQ(frame_telegram(0x00, encode(vector.command)), from_hex(vector.telegram)) << vector.telegram;
   }
 }
 
 TEST(LmsCommandTest, ParsesEveryPrintedTelegram) {
-  for (const Vector& vector : vectors()) {
+  for (const CommandVector& vector : command_vectors()) {
     const Bytes body = encode(vector.command);
     const auto command = parse_command(body);
     ASSERT_TRUE(command.has_value()) << vector.telegram;

@@ -51,10 +51,10 @@ class LmsLinkTest : public ::testing::Test {
   LmsLink link_{port_, {.ack_s = 0.05, .reply_s = 0.2}, stop_};
 };
 
-const char* const kDone = "06 02 80 03 00 A0 00 10 16 0A";
+const char* const kAckAndDone = "06 02 80 03 00 A0 00 10 16 0A";
 
 TEST_F(LmsLinkTest, GivesTheReply) {
-  port_.answers = {from_hex(kDone)};
+  port_.answers = {from_hex(kAckAndDone)};
   EXPECT_EQ(ask().result, 0);
   EXPECT_EQ(port_.requests, std::vector<Bytes>{from_hex("02 00 02 00 20 25 35 08")});
 }
@@ -65,7 +65,7 @@ TEST_F(LmsLinkTest, TakesAReplyWithoutAcknowledgement) {
 }
 
 TEST_F(LmsLinkTest, AsksAgainAfterNakAndSilence) {
-  port_.answers = {{kNotAcknowledge}, {}, from_hex(kDone)};
+  port_.answers = {{kNotAcknowledge}, {}, from_hex(kAckAndDone)};
   EXPECT_EQ(ask().result, 0);
   EXPECT_EQ(link_.counts().num_retries, 2);
   EXPECT_EQ(link_.counts().num_naks, 1);
@@ -86,7 +86,7 @@ TEST_F(LmsLinkTest, DoesNotAskAgainWhatWasRefused) {
 
 TEST_F(LmsLinkTest, DropsOtherTelegramsBeforeTheReply) {
   Bytes answer = from_hex("02 80 0C 00 B0 04 40 E8 03 FE 1F FF 1F D0 27 10 F0 D5 02 80 02 00 B2 10 3F 13");
-  const Bytes done = from_hex(kDone);
+  const Bytes done = from_hex(kAckAndDone);
   answer.insert(answer.end(), done.begin(), done.end());
   port_.answers = {answer};
   EXPECT_EQ(ask().result, 0);

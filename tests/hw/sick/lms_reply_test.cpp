@@ -16,14 +16,14 @@ using tests::from_hex;
 
 const std::string kC34 = "00004600000001000002020000000A0A5064000A0A5064000A0A5064000000000200";
 
-struct Vector {
+struct ReplyVector {
   LmsReply reply;
   std::string telegram;
   std::uint8_t address = 0x80;
   std::uint8_t status = 0x10;
 };
 
-std::vector<Vector> vectors() {
+std::vector<ReplyVector> reply_vectors() {
   const std::string text = "4C4D533230303B3330313036333B5630322E313020";
   const auto listed =
       LmsConfiguration::from_bytes(from_hex("0000700000000100000202" + std::string(42, '0') + "0200"));
@@ -50,7 +50,7 @@ std::vector<Vector> vectors() {
 }
 
 TEST(LmsReplyTest, EncodesEveryPrintedTelegram) {
-  for (const Vector& vector : vectors()) {
+  for (const ReplyVector& vector : reply_vectors()) {
     EXPECT_EQ(frame_telegram(vector.address, encode(vector.reply, {vector.status})),
               from_hex(vector.telegram))
         << vector.telegram;
@@ -58,7 +58,7 @@ TEST(LmsReplyTest, EncodesEveryPrintedTelegram) {
 }
 
 TEST(LmsReplyTest, ParsesEveryPrintedTelegram) {
-  for (const Vector& vector : vectors()) {
+  for (const ReplyVector& vector : reply_vectors()) {
     const Bytes body = encode(vector.reply, {vector.status});
     const auto stated = parse_reply(body);
     ASSERT_TRUE(stated.has_value()) << vector.telegram;

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSlop_m = 0.005;  // b2_linearSlop
+constexpr double kBox2dSlop_m = 0.005;  // b2_linearSlop
 
 World hall() {
   World world;
@@ -58,7 +58,7 @@ TEST(PlanarEngineTest, TheCylinderFollowsWithinItsRopeForAMinute) {
     engine.advance_to(0.1 * k);
     const Vector2d center_m = engine.state().tows.at(0).center_m;
     // The pelvis is 1 m/s / 300 ahead of the rope at most.
-    ASSERT_LE((center_m - engine.state().walkers[0].X_WP.p_m).norm(), 1.15 + kSlop_m + 1.0 / 300) << k;
+    ASSERT_LE((center_m - engine.state().walkers[0].X_WP.p_m).norm(), 1.15 + kBox2dSlop_m + 1.0 / 300) << k;
     way_m += (center_m - last_m).norm();
     last_m = center_m;
   }
@@ -130,7 +130,7 @@ TEST(PlanarEngineTest, LegsPushACylinderThatLiesInTheWay) {
   }
   EXPECT_GT((engine.state().tows[0].center_m - before_m).norm(), 0.1);
   // A shin moves up to 2.8 m/s / 300 = 9.4 mm into it before the next step answers.
-  EXPECT_LT(deepest_m, 3 * 0.0094 + kSlop_m);
+  EXPECT_LT(deepest_m, 3 * 0.0094 + kBox2dSlop_m);
 }
 
 TEST(PlanarEngineTest, AWorldWithoutMovingThingsStandsStill) {

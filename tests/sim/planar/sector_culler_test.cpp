@@ -5,13 +5,13 @@
 #include <rapidcheck/gtest.h>
 
 #include "core/scan/truth.hpp"
+#include "tests/sim/planar/lms_spot.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
-
-const Spot kLmsSpot{.diameter_m = 0.014, .divergence_rad = 0.0044, .num_rays = 7};
+using testing::kLmsSpot;
 
 IdealReturns cast(const PlanarSlice& slice, const Pose2& X_LS, BeamSubset subset, bool culled) {
   const ScanGeometry geometry;

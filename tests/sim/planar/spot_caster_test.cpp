@@ -9,13 +9,13 @@
 #include <cmath>
 
 #include "core/scan/laser_scan.hpp"
+#include "tests/sim/planar/lms_spot.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
-
-const Spot kLmsSpot{.diameter_m = 0.014, .divergence_rad = 0.0044, .num_rays = 7};
+using testing::kLmsSpot;
 
 // 30 degrees to either side; beam 60 looks straight ahead.
 const ScanGeometry kAhead{.num_beams = 121, .first_rad = radians(-30.0)};

@@ -36,7 +36,7 @@ class ScenePictureTest : public ::testing::Test {
  protected:
   Image paint(View view, const Features& features) {
     ScenePainter painter(world_, {kWidth_px, kHeight_px, view});
-    return painter.paint(state_, test_hall_scan(world_, state_), features, "hall");
+    return painter.paint(state_, {test_hall_scan(world_, state_), features}, "hall");
   }
 
   World world_ = test_hall();
@@ -52,7 +52,7 @@ void expect_hue(const Eigen::Vector3d& shown, const Rgb& color) {
 TEST_F(ScenePictureTest, HasTheSizeAskedFor) {
   for (const View view : {View::kTop, View::kCamera, View::kLaser}) {
     ScenePainter painter(world_, {321, 200, view});
-    const Image image = painter.paint(state_, {}, {}, "");
+    const Image image = painter.paint(state_, {{}, {}}, "");
     EXPECT_EQ(image.width_px, 321);
     EXPECT_EQ(image.height_px, 200);
     EXPECT_EQ(image.rgb.size(), 3U * 321 * 200);
@@ -113,11 +113,11 @@ TEST_F(ScenePictureTest, OnlyFeaturesHaveTheirColours) {
 TEST_F(ScenePictureTest, TheSameSceneGivesTheSamePicture) {
   ScenePainter painter(world_, {320, 240, View::kCamera});
   const LaserScan scan = test_hall_scan(world_, state_);
-  const Image first = painter.paint(state_, scan, features_, "hall");
+  const Image first = painter.paint(state_, {scan, features_}, "hall");
   WorldState later = state_;
   later.X_WR.p_m.y() += 2.0;
-  EXPECT_NE(painter.paint(later, scan, features_, "hall").rgb, first.rgb);
-  EXPECT_EQ(painter.paint(state_, scan, features_, "hall").rgb, first.rgb);
+  EXPECT_NE(painter.paint(later, {scan, features_}, "hall").rgb, first.rgb);
+  EXPECT_EQ(painter.paint(state_, {scan, features_}, "hall").rgb, first.rgb);
 }
 
 TEST_F(ScenePictureTest, AWalkerThatLeftIsNotShown) {
@@ -132,7 +132,7 @@ TEST_F(ScenePictureTest, AnEmptyWorldAndAnEmptyScanMakeAPicture) {
   scan.geometry.num_beams = 0;
   for (const View view : {View::kTop, View::kCamera, View::kLaser}) {
     ScenePainter painter(World{}, {320, 240, view});
-    const Image image = painter.paint({}, scan, {}, "");
+    const Image image = painter.paint({}, {scan, {}}, "");
     EXPECT_EQ(image.rgb.size(), 3U * 320 * 240);
   }
 }
@@ -142,7 +142,7 @@ TEST_F(ScenePictureTest, OddIdsAndCaptionsMakeAPicture) {
   world_.walkers[0].id = "\xff'";
   world_.walkers[0].tow->id = "a/b\n";
   ScenePainter painter(world_, {320, 240, View::kCamera});
-  EXPECT_EQ(painter.paint(state_, {}, {}, "<&\"\xff\n").width_px, 320);
+  EXPECT_EQ(painter.paint(state_, {{}, {}}, "<&\"\xff\n").width_px, 320);
 }
 
 TEST(PictureOptionsTest, DefaultsAreValid) {

@@ -6,15 +6,13 @@
 #include <string>
 
 #include "core/errors/input_error.hpp"
+#include "tests/sim/world/made_solid.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
-
-Solid solid(const std::string& id, const SolidShape& shape, double bottom_m = 0.0, double top_m = 2.5) {
-  return {.id = id, .label = "box", .shape = shape, .bottom_m = bottom_m, .top_m = top_m, .material = {}};
-}
+using testing::made_solid;
 
 std::string error_of(const World& world) {
   try {
@@ -44,45 +42,50 @@ TEST(CheckPlacesTest, RefusesWhatLiesWhollyWithinAnotherOfAnyShape) {
     for (const SolidShape& inner : small) {
       const std::string expected =
           "solid 'in': lies wholly within solid 'out'; allowed: at least partly outside";
-      EXPECT_EQ(error_of(world_of({solid("in", inner), solid("out", outer)})), expected);
-      EXPECT_EQ(error_of(world_of({solid("out", outer), solid("in", inner)})), expected);
+      EXPECT_EQ(error_of(world_of({made_solid("in", inner), made_solid("out", outer)})), expected);
+      EXPECT_EQ(error_of(world_of({made_solid("out", outer), made_solid("in", inner)})), expected);
     }
   }
 }
 
 TEST(CheckPlacesTest, RefusesTheSameShapeTwice) {
   for (const SolidShape& shape : {kBox, kWedge, kColumn}) {
-    EXPECT_NE(error_of(world_of({solid("a", shape), solid("b", shape)})), "");
+    EXPECT_NE(error_of(world_of({made_solid("a", shape), made_solid("b", shape)})), "");
   }
 }
 
 TEST(CheckPlacesTest, TouchingFromInsideIsWithin) {
-  EXPECT_NE(error_of(world_of({solid("a", Box{{{0, 0}, 0}, {2, 2}}), solid("b", Cylinder{{0.5, 0}, 0.5})})),
+  EXPECT_NE(error_of(world_of(
+                {made_solid("a", Box{{{0, 0}, 0}, {2, 2}}), made_solid("b", Cylinder{{0.5, 0}, 0.5})})),
             "");
-  EXPECT_NE(error_of(world_of({solid("a", Cylinder{{0, 0}, 1}), solid("b", Cylinder{{0.5, 0}, 0.5})})), "");
+  EXPECT_NE(
+      error_of(world_of({made_solid("a", Cylinder{{0, 0}, 1}), made_solid("b", Cylinder{{0.5, 0}, 0.5})})),
+      "");
 }
 
 TEST(CheckPlacesTest, WhatOnlyOverlapsTouchesOrIsWalledInIsFine) {
-  EXPECT_EQ(error_of(world_of({solid("a", kBox), solid("b", Box{{{3, 0}, 1.5}, {2, 1}})})), "");
-  EXPECT_EQ(error_of(world_of({solid("a", kColumn), solid("b", Cylinder{{5, 0}, 1})})), "");
-  EXPECT_EQ(error_of(world_of({solid("a", kBox), solid("b", WallChain{{{3, 0}, {9, 0}}, false})})), "");
+  EXPECT_EQ(error_of(world_of({made_solid("a", kBox), made_solid("b", Box{{{3, 0}, 1.5}, {2, 1}})})), "");
+  EXPECT_EQ(error_of(world_of({made_solid("a", kColumn), made_solid("b", Cylinder{{5, 0}, 1})})), "");
+  EXPECT_EQ(error_of(world_of({made_solid("a", kBox), made_solid("b", WallChain{{{3, 0}, {9, 0}}, false})})),
+            "");
   const WallChain walls{{{0, -3}, {6, -3}, {6, 3}, {0, 3}}, true};
-  World world = world_of({solid("walls", walls), solid("a", kBox), solid("same", walls)});
+  World world = world_of({made_solid("walls", walls), made_solid("a", kBox), made_solid("same", walls)});
   world.robot.X_WR = {{0.5, 0}, 0.0};
   EXPECT_EQ(error_of(world), "");
 }
 
 // A seat on its feet, a bin under a table.
 TEST(CheckPlacesTest, WhatReachesHigherOrLowerIsNotWithin) {
-  EXPECT_EQ(
-      error_of(world_of({solid("seat", kBox, 0.45, 0.5), solid("foot", Cylinder{{3, 0}, 0.1}, 0, 0.45)})),
-      "");
-  EXPECT_NE(error_of(world_of({solid("out", kBox, 0, 1), solid("in", Cylinder{{3, 0}, 0.1}, 0, 1)})), "");
+  EXPECT_EQ(error_of(world_of(
+                {made_solid("seat", kBox, 0.45, 0.5), made_solid("foot", Cylinder{{3, 0}, 0.1}, 0, 0.45)})),
+            "");
+  EXPECT_NE(
+      error_of(world_of({made_solid("out", kBox, 0, 1), made_solid("in", Cylinder{{3, 0}, 0.1}, 0, 1)})), "");
 }
 
 TEST(CheckPlacesTest, RefusesARobotOutsideTheWallsAroundEverythingElse) {
   const WallChain hall{{{0, -3}, {9, -3}, {9, 3}, {4, 3}, {4, 1}, {0, 1}}, true};
-  World world = world_of({solid("hall", hall), solid("column", Cylinder{{7, 0}, 0.3})});
+  World world = world_of({made_solid("hall", hall), made_solid("column", Cylinder{{7, 0}, 0.3})});
   const std::string expected =
       "robot: start: is outside solid 'hall', which encloses everything else; allowed: inside";
   EXPECT_EQ(error_of(world), expected);
@@ -108,7 +111,7 @@ TEST(CheckPlacesTest, NobodyStartsInWhatAMapFills) {
   const WallChain outer{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, true, true};
   const WallChain room{{{1, 1}, {1, 9}, {9, 9}, {9, 1}}, true, true};
   const WallChain block{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, true, true};
-  World world = world_of({solid("map.0", outer), solid("map.1", room), solid("map.2", block)});
+  World world = world_of({made_solid("map.0", outer), made_solid("map.1", room), made_solid("map.2", block)});
   const auto error_at = [&](const Vector2d& start_m) {
     world.robot.X_WR = {start_m, 0.0};
     return error_of(world);
@@ -125,7 +128,7 @@ TEST(CheckPlacesTest, NobodyStartsInWhatAMapFills) {
 }
 
 TEST(CheckPlacesTest, NobodyStartsInASolid) {
-  World world = world_of({solid("a", kBox)});
+  World world = world_of({made_solid("a", kBox)});
   world.robot.X_WR.p_m = {3, 0};
   EXPECT_EQ(error_of(world).substr(0, 40), "robot: start: distance to solid 'a': val");
   world.robot.X_WR.p_m = {-5, 0};

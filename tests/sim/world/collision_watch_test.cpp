@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/sim/world/made_solid.hpp"
+
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
+using testing::made_solid;
 
 constexpr double kFar_m = 50.0;
 
@@ -15,10 +18,6 @@ Walker walker(const std::string& id, double leg_radius_m) {
   made.id = id;
   made.leg_radius_m = leg_radius_m;
   return made;
-}
-
-Solid solid(const std::string& id, const SolidShape& shape, double bottom_m = 0.0, double top_m = 2.5) {
-  return {.id = id, .label = "box", .shape = shape, .bottom_m = bottom_m, .top_m = top_m, .material = {}};
 }
 
 /// Robot of radius 0.22 m at the origin, two walkers far off.
@@ -59,7 +58,7 @@ TEST_F(CollisionWatchTest, TheRobotMeetsSolidsCloserThanItsRadius) {
                                Polygon{{{0.21, -1}, {1, -1}, {1, 1}, {0.21, 1}}},
                                WallChain{{{0.21, -1}, {0.21, 1}}, false}};
   for (const SolidShape& shape : shapes) {
-    world_.solids = {solid("thing", shape)};
+    world_.solids = {made_solid("thing", shape)};
     state_.X_WR.p_m = {0, 0};
     EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "robot", "thing"}}));
     state_.X_WR.p_m = {-0.02, 0};
@@ -68,14 +67,14 @@ TEST_F(CollisionWatchTest, TheRobotMeetsSolidsCloserThanItsRadius) {
 }
 
 TEST_F(CollisionWatchTest, TheRobotPassesBelowWhatHangsAboveItsLaser) {
-  world_.solids = {solid("seat", Box{{{0, 0}, 0.0}, {1, 1}}, 0.4, 0.5)};
+  world_.solids = {made_solid("seat", Box{{{0, 0}, 0.0}, {1, 1}}, 0.4, 0.5)};
   EXPECT_TRUE(look().empty());
   world_.solids[0].bottom_m = 0.2;
   EXPECT_EQ(look().size(), 1u);
 }
 
 TEST_F(CollisionWatchTest, LegsMeetTheRobotSolidsAndEachOther) {
-  world_.solids = {solid("wall", WallChain{{{20, -9}, {20, 9}}, false})};
+  world_.solids = {made_solid("wall", WallChain{{{20, -9}, {20, 9}}, false})};
   put_legs(0, {0.27, 0}, {20.05, 1});
   put_legs(1, {20.0, 1.2}, {20.05, 1.1});
   EXPECT_EQ(look(),
@@ -103,7 +102,7 @@ TEST_F(CollisionWatchTest, TheRobotMeetsATowedCylinderButItsWalkerPushesIt) {
 }
 
 TEST_F(CollisionWatchTest, PartingForLessThanASecondIsOneMeeting) {
-  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
   CollisionWatch watch(world_);
   const auto look_at = [&](double time_s, double x_m) {
     state_.time_s = time_s;
@@ -119,7 +118,7 @@ TEST_F(CollisionWatchTest, PartingForLessThanASecondIsOneMeeting) {
 }
 
 TEST_F(CollisionWatchTest, LooksAtMostTwentyTimesASecond) {
-  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
   CollisionWatch watch(world_);
   watch.look(state_);
   state_.time_s = 0.04;
@@ -132,7 +131,7 @@ TEST_F(CollisionWatchTest, LooksAtMostTwentyTimesASecond) {
 }
 
 TEST_F(CollisionWatchTest, LooksAtEachOfTwentyTimesASecond) {
-  world_.solids = {solid("post", Cylinder{{1, 0}, 0.1})};
+  world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
   for (int meeting = 1; meeting < 100; ++meeting) {
     CollisionWatch watch(world_);
     for (int k = 0; k <= 100; ++k) {

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLaser_m = 0.28;
+constexpr double kLaserHeight_m = 0.28;
 
 Walker walker(const std::string& id, const Vector2d& from, const Vector2d& to, bool avoids) {
   Walker walker;
@@ -22,7 +22,7 @@ Walker walker(const std::string& id, const Vector2d& from, const Vector2d& to, b
 }
 
 double least_distance_m(const World& world) {
-  const Crowd crowd(world, kLaser_m);
+  const Crowd crowd(world, kLaserHeight_m);
   std::vector<WalkerState> states;
   double least_m = 1e9;
   for (double t = 0.0; t < 12.0; t += 0.01) {
@@ -45,7 +45,7 @@ TEST(CrowdTest, WalkersHeadOnPassEachOtherOnTheRight) {
   World world;
   world.walkers = {walker("a", {0, 0}, {8, 0}, true), walker("b", {8, 0}, {0, 0}, true)};
   EXPECT_GT(least_distance_m(world), 0.5);  // shoulders are narrower
-  const Crowd crowd(world, kLaser_m);
+  const Crowd crowd(world, kLaserHeight_m);
   std::vector<WalkerState> states;
   crowd.states_at(4.0 / 1.37, states);  // where they meet
   EXPECT_LT(states[0].X_WP.p_m.y(), -0.25);
@@ -67,7 +67,7 @@ TEST(CrowdTest, APairKeepsItsDistance) {
   world.walkers = {walker("a", {0, 0}, {8, 0}, true), walker("b", {0, 0}, {8, 0}, true)};
   world.walkers[0].lateral_m = 0.3;
   world.walkers[1].lateral_m = -0.3;
-  const Crowd crowd(world, kLaser_m);
+  const Crowd crowd(world, kLaserHeight_m);
   std::vector<WalkerState> states;
   for (double t = 0.0; t < 8.0; t += 0.1) {
     crowd.states_at(t, states);
@@ -82,7 +82,7 @@ TEST(CrowdTest, FeetStandStillAndLegsNeverJumpWhileAWalkerStepsAside) {
   world.walkers = {walker("a", {0, 0}, {8, 0}, true), walker("b", {8, 0}, {0, 0}, true),
                    walker("c", {3, 3}, {5, -3}, true)};
   world.walkers[1].stops = {{.at_m = 2.0, .for_s = 3.0, .turn_rad = 1.0}};
-  const Crowd crowd(world, kLaser_m);
+  const Crowd crowd(world, kLaserHeight_m);
   std::vector<WalkerState> before, states;
   crowd.states_at(0.0, before);
   constexpr double kStep_s = 1e-3;

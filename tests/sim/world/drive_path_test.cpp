@@ -8,14 +8,16 @@
 #include <numeric>
 
 #include "core/errors/input_error.hpp"
+#include "tests/sim/world/expect_pose.hpp"
 
 namespace scanbed::sim {
 namespace {
 
 using Eigen::Vector2d;
+using testing::expect_pose;
+using testing::kRounding;
 
 // Some twenty products and sums of numbers of size 10.
-constexpr double kRounding = 1e-12;
 
 Robot robot() {
   Robot r;
@@ -32,11 +34,6 @@ Pose2 end_of(const std::vector<Motion>& motions, Pose2 X_WR) {
 double duration_s(const std::vector<Motion>& motions) {
   return std::accumulate(motions.begin(), motions.end(), 0.0,
                          [](double sum, const Motion& motion) { return sum + motion.duration_s; });
-}
-
-void expect_pose(const Pose2& pose, const Vector2d& p_m, double theta_rad) {
-  EXPECT_NEAR((pose.p_m - p_m).norm(), 0.0, kRounding) << pose.p_m.transpose();
-  EXPECT_NEAR(wrap_to_pi(pose.theta_rad - theta_rad), 0.0, kRounding);
 }
 
 TEST(DrivePathTest, AnArcIsAPieceOfACircle) {

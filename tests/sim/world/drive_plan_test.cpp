@@ -6,16 +6,15 @@
 
 #include <cmath>
 
+#include "tests/sim/world/expect_pose.hpp"
+
 namespace scanbed::sim {
 namespace {
 
-// Poses are sums and products of a few doubles of size 1 to 10.
-constexpr double kRounding = 1e-12;
+using testing::expect_pose;
+using testing::kRounding;
 
-void expect_pose(const Pose2& pose, const Eigen::Vector2d& p_m, double theta_rad) {
-  EXPECT_NEAR((pose.p_m - p_m).norm(), 0.0, kRounding) << pose.p_m.transpose();
-  EXPECT_NEAR(wrap_to_pi(pose.theta_rad - theta_rad), 0.0, kRounding);
-}
+// Poses are sums and products of a few doubles of size 1 to 10.
 
 Robot robot(std::vector<DriveStep> drive) {
   Robot r;

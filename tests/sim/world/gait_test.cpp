@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRounding = 1e-9;
+constexpr double kGaitRounding = 1e-9;
 constexpr double kLaser_m = 0.28;
 constexpr double kSample_s = 1e-3;
 
@@ -50,15 +50,15 @@ TEST(GaitTest, NormalWalkingHasThePublishedFigures) {
 
 TEST(GaitTest, StepsTimesCadenceIsTheSpeedAtAnySpeed) {
   for (const double v : {0.3, 0.8, 1.0, 1.37, 2.0}) {
-    EXPECT_NEAR(2.0 * step_length_m(v) / cycle_s(v), v, kRounding);
-    EXPECT_NEAR(step_length_m(v) * cycle_s(v), 0.72 * cycle_s(1.37), kRounding) << "walk ratio at " << v;
+    EXPECT_NEAR(2.0 * step_length_m(v) / cycle_s(v), v, kGaitRounding);
+    EXPECT_NEAR(step_length_m(v) * cycle_s(v), 0.72 * cycle_s(1.37), kGaitRounding) << "walk ratio at " << v;
   }
 }
 
 TEST(GaitTest, FootprintsAreOneStepApart) {
   const std::vector<double> prints = footprints_x(Gait(walker_along_x(1.37), 0, kLaser_m), 0.0, 20.0);
   ASSERT_GT(prints.size(), 30U);
-  for (std::size_t i = 1; i < prints.size(); ++i) EXPECT_NEAR(prints[i] - prints[i - 1], 0.72, kRounding);
+  for (std::size_t i = 1; i < prints.size(); ++i) EXPECT_NEAR(prints[i] - prints[i - 1], 0.72, kGaitRounding);
 }
 
 TEST(GaitTest, CadenceIs114StepsAMinute) {
@@ -78,10 +78,10 @@ TEST(GaitTest, ThePelvisKeepsItsSpeedAndIsOverTheFootInTheMiddleOfStance) {
   const Gait gait(walker_along_x(1.37), 0, kLaser_m);
   for (int cycle = 1; cycle < 5; ++cycle) {
     const WalkerState left = gait.state_at(cycle * cycle_s(1.37));
-    EXPECT_NEAR(left.X_WP.p_m.x(), cycle * 1.44, kRounding);
-    EXPECT_NEAR(left.left_foot_m.x(), left.X_WP.p_m.x(), kRounding);
+    EXPECT_NEAR(left.X_WP.p_m.x(), cycle * 1.44, kGaitRounding);
+    EXPECT_NEAR(left.left_foot_m.x(), left.X_WP.p_m.x(), kGaitRounding);
     const WalkerState right = gait.state_at((cycle + 0.5) * cycle_s(1.37));
-    EXPECT_NEAR(right.right_foot_m.x(), right.X_WP.p_m.x(), kRounding);
+    EXPECT_NEAR(right.right_foot_m.x(), right.X_WP.p_m.x(), kGaitRounding);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(GaitTest, ShinsMoveAsTheRigidLegSays) {
 TEST(GaitTest, LegsAreThirteenCentimetresApartAtTheLasersHeight) {
   const WalkerState state = Gait(walker_along_x(1.37), 0, kLaser_m).state_at(12.3);
   EXPECT_NEAR(state.left_leg_m.y() - state.right_leg_m.y(), 0.13, 0.005);  // published to two digits
-  EXPECT_NEAR(state.left_foot_m.y() - state.right_foot_m.y(), 0.10, kRounding);
+  EXPECT_NEAR(state.left_foot_m.y() - state.right_foot_m.y(), 0.10, kGaitRounding);
 }
 
 TEST(GaitTest, TheLegRunsFromTheFootToTheHip) {
@@ -113,20 +113,20 @@ TEST(GaitTest, TheLegRunsFromTheFootToTheHip) {
   EXPECT_EQ(floor.left_leg_m, floor.left_foot_m);
   for (const double height_m : {walker.leg_length_m, 1.5}) {
     const WalkerState hip = Gait(walker, 0, height_m).state_at(2.2);
-    EXPECT_NEAR((hip.right_leg_m - hip.X_WP * Vector2d(0.0, -0.1)).norm(), 0.0, kRounding);
+    EXPECT_NEAR((hip.right_leg_m - hip.X_WP * Vector2d(0.0, -0.1)).norm(), 0.0, kGaitRounding);
   }
 }
 
 TEST(GaitTest, StandsWithFeetSideBySideBeforeAndBehindAnOpenPath) {
   const Gait gait(walker_along_x(1.2, 5.0), 0, kLaser_m);
   const WalkerState start = gait.state_at(0.0);
-  EXPECT_NEAR((start.left_foot_m - Vector2d(0.0, 0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR((start.right_foot_m - Vector2d(0.0, -0.05)).norm(), 0.0, kRounding);
+  EXPECT_NEAR((start.left_foot_m - Vector2d(0.0, 0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR((start.right_foot_m - Vector2d(0.0, -0.05)).norm(), 0.0, kGaitRounding);
   const WalkerState end = gait.state_at(60.0);
   EXPECT_TRUE(end.present);
-  EXPECT_NEAR((end.left_foot_m - Vector2d(5.0, 0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR((end.right_foot_m - Vector2d(5.0, -0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR((end.X_WP.p_m - Vector2d(5.0, 0.0)).norm(), 0.0, kRounding);
+  EXPECT_NEAR((end.left_foot_m - Vector2d(5.0, 0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR((end.right_foot_m - Vector2d(5.0, -0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR((end.X_WP.p_m - Vector2d(5.0, 0.0)).norm(), 0.0, kGaitRounding);
 }
 
 TEST(GaitTest, IsThereFromItsStartUntilItLeaves) {
@@ -137,7 +137,7 @@ TEST(GaitTest, IsThereFromItsStartUntilItLeaves) {
   EXPECT_EQ(gait.state_at(0.0).walker, 4);
   EXPECT_FALSE(gait.state_at(2.999).present);
   EXPECT_TRUE(gait.state_at(3.0).present);
-  EXPECT_NEAR(gait.state_at(5.0).X_WP.p_m.x(), 2.0, kRounding);
+  EXPECT_NEAR(gait.state_at(5.0).X_WP.p_m.x(), 2.0, kGaitRounding);
   EXPECT_TRUE(gait.state_at(7.999).present);
   EXPECT_FALSE(gait.state_at(8.001).present);
 }
@@ -169,22 +169,22 @@ TEST(GaitTest, StandsAtAStopWithFeetSideBySideAndGoesOn) {
   walker.stops = {{.at_m = 3.0, .for_s = 4.0}};
   const Gait gait(walker, 0, kLaser_m);
   for (const double t_s : {3.0, 5.0, 7.0})
-    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 3.0, kRounding) << t_s;
+    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 3.0, kGaitRounding) << t_s;
   const WalkerState standing = gait.state_at(6.0);
-  EXPECT_NEAR((standing.left_foot_m - Vector2d(3.0, 0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR((standing.right_foot_m - Vector2d(3.0, -0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR(gait.state_at(9.0).X_WP.p_m.x(), 5.0, kRounding);
+  EXPECT_NEAR((standing.left_foot_m - Vector2d(3.0, 0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR((standing.right_foot_m - Vector2d(3.0, -0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR(gait.state_at(9.0).X_WP.p_m.x(), 5.0, kGaitRounding);
 }
 
 TEST(GaitTest, TurnsOnTheSpotAtAStopAndBackBeforeItGoesOn) {
   Walker walker = walker_along_x(1.0, 10.0);
   walker.stops = {{.at_m = 3.0, .for_s = 10.0, .turn_rad = -1.2}};
   const Gait gait(walker, 0, kLaser_m);
-  EXPECT_NEAR(gait.state_at(3.5).X_WP.theta_rad, 0.0, kRounding);
+  EXPECT_NEAR(gait.state_at(3.5).X_WP.theta_rad, 0.0, kGaitRounding);
   const WalkerState turned = gait.state_at(8.0);
-  EXPECT_NEAR(turned.X_WP.theta_rad, -1.2, kRounding);
-  EXPECT_NEAR((turned.left_foot_m - turned.X_WP * Vector2d(0.0, 0.05)).norm(), 0.0, kRounding);
-  EXPECT_NEAR(gait.state_at(13.0).X_WP.theta_rad, 0.0, kRounding);
+  EXPECT_NEAR(turned.X_WP.theta_rad, -1.2, kGaitRounding);
+  EXPECT_NEAR((turned.left_foot_m - turned.X_WP * Vector2d(0.0, 0.05)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR(gait.state_at(13.0).X_WP.theta_rad, 0.0, kGaitRounding);
 }
 
 TEST(GaitTest, AStopForGoodIsAStandingPerson) {
@@ -193,17 +193,17 @@ TEST(GaitTest, AStopForGoodIsAStandingPerson) {
   const Gait gait(walker, 0, kLaser_m);
   for (const double t_s : {0.0, 1.0, 1e4}) {
     EXPECT_TRUE(gait.state_at(t_s).present);
-    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 0.0, kRounding);
+    EXPECT_NEAR(gait.state_at(t_s).X_WP.p_m.x(), 0.0, kGaitRounding);
   }
-  EXPECT_NEAR((gait.state_at(1e4).right_foot_m - Vector2d(0.0, -0.05)).norm(), 0.0, kRounding);
+  EXPECT_NEAR((gait.state_at(1e4).right_foot_m - Vector2d(0.0, -0.05)).norm(), 0.0, kGaitRounding);
 }
 
 TEST(GaitTest, WalksBesideItsPath) {
   Walker walker = walker_along_x(1.0, 10.0);
   walker.lateral_m = -0.4;
   const WalkerState state = Gait(walker, 0, kLaser_m).state_at(2.0);
-  EXPECT_NEAR((state.X_WP.p_m - Vector2d(2.0, -0.4)).norm(), 0.0, kRounding);
-  EXPECT_NEAR(0.5 * (state.left_foot_m.y() + state.right_foot_m.y()), -0.4, kRounding);
+  EXPECT_NEAR((state.X_WP.p_m - Vector2d(2.0, -0.4)).norm(), 0.0, kGaitRounding);
+  EXPECT_NEAR(0.5 * (state.left_foot_m.y() + state.right_foot_m.y()), -0.4, kGaitRounding);
 }
 
 TEST(GaitTest, LegsNeverJumpAtStops) {

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 constexpr double kPeriod_s = 0.2;
 
-Robot robot() {
+Robot quick_robot() {
   Robot r;
   r.speed_m_per_s = 1.5;
   r.turn_rad_per_s = 1.0;
@@ -24,7 +24,7 @@ std::vector<Leg> pair_at(const Vector2d& p_m) {
 }
 
 TEST(LegFollowerTest, StandsStillWhileThereIsNobody) {
-  LegFollower follower(robot(), {});
+  LegFollower follower(quick_robot(), {});
   for (const std::vector<Leg>& legs :
        {std::vector<Leg>{}, std::vector<Leg>{{.middle_m = {2.0, 0.0}}},
         std::vector<Leg>{{.middle_m = {2.0, 0.0}}, {.middle_m = {2.0, 0.9}}}, pair_at({4.5, 0.0})}) {
@@ -36,7 +36,7 @@ TEST(LegFollowerTest, StandsStillWhileThereIsNobody) {
 }
 
 TEST(LegFollowerTest, TakesUpTheNearestPair) {
-  LegFollower follower(robot(), {});
+  LegFollower follower(quick_robot(), {});
   std::vector<Leg> legs = pair_at({3.0, 1.0});
   for (const Leg& leg : pair_at({2.0, -1.0})) legs.push_back(leg);
   follower.update({0.0, {}, legs, kPeriod_s});
@@ -44,23 +44,23 @@ TEST(LegFollowerTest, TakesUpTheNearestPair) {
 }
 
 TEST(LegFollowerTest, ComesNearerTurnsAndKeepsItsDistance) {
-  LegFollower follower(robot(), {.distance_m = 1.0});
+  LegFollower follower(quick_robot(), {.distance_m = 1.0});
   // Half a metre too far, straight ahead.
   DriveCommand command = follower.update({0.0, {}, pair_at({1.5, 0.0}), kPeriod_s});
   EXPECT_NEAR(command.speed_m_per_s, 0.5, 1e-12);
   EXPECT_NEAR(command.turn_rad_per_s, 0.0, 1e-12);
   // To the left, as fast as it can; what lies behind is not driven to before it is ahead.
-  LegFollower turning(robot(), {.distance_m = 1.0});
+  LegFollower turning(quick_robot(), {.distance_m = 1.0});
   command = turning.update({0.0, {}, pair_at({-2.0, 0.5}), kPeriod_s});
   EXPECT_EQ(command.speed_m_per_s, 0.0);
   EXPECT_EQ(command.turn_rad_per_s, 1.0);
   // Too near: it stands, and does not back away.
-  LegFollower near(robot(), {.distance_m = 1.0});
+  LegFollower near(quick_robot(), {.distance_m = 1.0});
   EXPECT_EQ(near.update({0.0, {}, pair_at({0.6, 0.0}), kPeriod_s}).speed_m_per_s, 0.0);
 }
 
 TEST(LegFollowerTest, TakesItsLaserForWhereItIs) {
-  Robot carrying = robot();
+  Robot carrying = quick_robot();
   carrying.X_RS = {{0.2, 0.0}, kPi / 2};  // looks to the left
   LegFollower follower(carrying, {.distance_m = 1.0});
   const DriveCommand command = follower.update({0.0, {}, pair_at({0.0, -1.5}), kPeriod_s});
@@ -70,7 +70,7 @@ TEST(LegFollowerTest, TakesItsLaserForWhereItIs) {
 
 // Drives itself after a point that moves as told, as the simulation does; returns the distances.
 std::vector<double> chase(const Vector2d& v_m_per_s, double for_s, double period_s = kPeriod_s) {
-  LegFollower follower(robot(), {.distance_m = 1.2});
+  LegFollower follower(quick_robot(), {.distance_m = 1.2});
   Pose2 X_WR;
   DriveCommand in_force;
   std::vector<double> distances_m;
@@ -102,7 +102,7 @@ TEST(LegFollowerTest, SlowScansMakeItSlowNotWild) {
 }
 
 TEST(LegFollowerTest, GoesOnWithOneLegAndForAWhileWithout) {
-  LegFollower follower(robot(), {.distance_m = 1.0, .patience_s = 1.1});
+  LegFollower follower(quick_robot(), {.distance_m = 1.0, .patience_s = 1.1});
   double t_s = 0.0;
   const auto see = [&](const std::vector<Leg>& legs) {
     t_s += kPeriod_s;
@@ -118,7 +118,7 @@ TEST(LegFollowerTest, GoesOnWithOneLegAndForAWhileWithout) {
 }
 
 TEST(LegFollowerTest, KeepsToItsPersonWhenAnotherComesNearer) {
-  LegFollower follower(robot(), {});
+  LegFollower follower(quick_robot(), {});
   follower.update({0.0, {}, pair_at({2.0, 0.0}), kPeriod_s});
   std::vector<Leg> legs = pair_at({2.0, 0.0});
   for (const Leg& leg : pair_at({1.0, 0.3})) legs.push_back(leg);

@@ -11,11 +11,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRounding = 1e-9;
+constexpr double kPathRounding = 1e-9;
 
-void expect_pose(const Pose2& pose, const Vector2d& p_m, double theta_rad) {
-  EXPECT_NEAR((pose.p_m - p_m).norm(), 0.0, kRounding) << pose.p_m.transpose();
-  EXPECT_NEAR(wrap_to_pi(pose.theta_rad - theta_rad), 0.0, kRounding) << pose.theta_rad;
+void expect_on_path(const Pose2& pose, const Vector2d& p_m, double theta_rad) {
+  EXPECT_NEAR((pose.p_m - p_m).norm(), 0.0, kPathRounding) << pose.p_m.transpose();
+  EXPECT_NEAR(wrap_to_pi(pose.theta_rad - theta_rad), 0.0, kPathRounding) << pose.theta_rad;
 }
 
 Path square(double round_m) {
@@ -25,29 +25,30 @@ Path square(double round_m) {
 TEST(RoundedPathTest, AStraightPathIsWalkedFromEndToEnd) {
   const RoundedPath path({.points_m = {{1, 1}, {1, 3}}, .loop = false, .round_m = 0.0, .leave = false});
   EXPECT_DOUBLE_EQ(path.length_m(), 2.0);
-  expect_pose(path.pose_at(0.5), {1, 1.5}, kPi / 2);
-  expect_pose(path.pose_at(-1.0), {1, 1}, kPi / 2);
-  expect_pose(path.pose_at(9.0), {1, 3}, kPi / 2);
+  expect_on_path(path.pose_at(0.5), {1, 1.5}, kPi / 2);
+  expect_on_path(path.pose_at(-1.0), {1, 1}, kPi / 2);
+  expect_on_path(path.pose_at(9.0), {1, 3}, kPi / 2);
 }
 
 TEST(RoundedPathTest, RoundingReplacesCornersByQuarterCircles) {
   const RoundedPath path(square(0.5));
-  EXPECT_NEAR(path.length_m(), 4 * 3.0 + 2 * kPi * 0.5, kRounding);
-  expect_pose(path.pose_at(0.0), {0.5, 0.0}, 0.0);
-  expect_pose(path.pose_at(3.0), {3.5, 0.0}, 0.0);
+  EXPECT_NEAR(path.length_m(), 4 * 3.0 + 2 * kPi * 0.5, kPathRounding);
+  expect_on_path(path.pose_at(0.0), {0.5, 0.0}, 0.0);
+  expect_on_path(path.pose_at(3.0), {3.5, 0.0}, 0.0);
   const double eighth_m = 0.5 * kPi / 4;
-  expect_pose(path.pose_at(3.0 + eighth_m), Vector2d(3.5, 0.5) + 0.5 * Vector2d(1, -1).normalized(), kPi / 4);
-  expect_pose(path.pose_at(3.0 + 2 * eighth_m), {4.0, 0.5}, kPi / 2);
-  expect_pose(path.pose_at(path.length_m() - eighth_m),
-              Vector2d(0.5, 0.5) - 0.5 * Vector2d(1, 1).normalized(), -kPi / 4);
+  expect_on_path(path.pose_at(3.0 + eighth_m), Vector2d(3.5, 0.5) + 0.5 * Vector2d(1, -1).normalized(),
+                 kPi / 4);
+  expect_on_path(path.pose_at(3.0 + 2 * eighth_m), {4.0, 0.5}, kPi / 2);
+  expect_on_path(path.pose_at(path.length_m() - eighth_m),
+                 Vector2d(0.5, 0.5) - 0.5 * Vector2d(1, 1).normalized(), -kPi / 4);
 }
 
 TEST(RoundedPathTest, AnOpenPathTurnsRightToo) {
   const RoundedPath path(
       {.points_m = {{0, 0}, {2, 0}, {2, -2}}, .loop = false, .round_m = 1.0, .leave = false});
-  EXPECT_NEAR(path.length_m(), 2.0 + kPi / 2, kRounding);
-  expect_pose(path.pose_at(1.0 + kPi / 4), Vector2d(1, -1) + Vector2d(1, 1).normalized(), -kPi / 4);
-  expect_pose(path.pose_at(99.0), {2, -2}, -kPi / 2);
+  EXPECT_NEAR(path.length_m(), 2.0 + kPi / 2, kPathRounding);
+  expect_on_path(path.pose_at(1.0 + kPi / 4), Vector2d(1, -1) + Vector2d(1, 1).normalized(), -kPi / 4);
+  expect_on_path(path.pose_at(99.0), {2, -2}, -kPi / 2);
 }
 
 TEST(RoundedPathTest, ALoopGoesRoundAndRound) {
@@ -55,8 +56,8 @@ TEST(RoundedPathTest, ALoopGoesRoundAndRound) {
     const RoundedPath path(square(round_m));
     for (const double s_m : {0.3, 5.0, 11.0}) {
       const Pose2 pose = path.pose_at(s_m);
-      expect_pose(path.pose_at(s_m + 3 * path.length_m()), pose.p_m, pose.theta_rad);
-      expect_pose(path.pose_at(s_m - 2 * path.length_m()), pose.p_m, pose.theta_rad);
+      expect_on_path(path.pose_at(s_m + 3 * path.length_m()), pose.p_m, pose.theta_rad);
+      expect_on_path(path.pose_at(s_m - 2 * path.length_m()), pose.p_m, pose.theta_rad);
     }
   }
 }
@@ -64,20 +65,20 @@ TEST(RoundedPathTest, ALoopGoesRoundAndRound) {
 TEST(RoundedPathTest, ASharpCornerIsMetExactlyAndHalfTurnedThere) {
   const RoundedPath path(square(0.0));
   EXPECT_DOUBLE_EQ(path.length_m(), 16.0);
-  expect_pose(path.pose_at(4.0), {4, 0}, kPi / 4);
-  expect_pose(path.pose_at(4.0 - 0.075), {4 - 0.075, 0}, kPi / 8);
-  expect_pose(path.pose_at(4.0 + 0.15), {4, 0.15}, kPi / 2);
-  expect_pose(path.pose_at(2.0), {2, 0}, 0.0);
-  expect_pose(path.pose_at(0.0), {0, 0}, 0.0);
-  expect_pose(path.pose_at(16.0), {0, 0}, -kPi / 4);
+  expect_on_path(path.pose_at(4.0), {4, 0}, kPi / 4);
+  expect_on_path(path.pose_at(4.0 - 0.075), {4 - 0.075, 0}, kPi / 8);
+  expect_on_path(path.pose_at(4.0 + 0.15), {4, 0.15}, kPi / 2);
+  expect_on_path(path.pose_at(2.0), {2, 0}, 0.0);
+  expect_on_path(path.pose_at(0.0), {0, 0}, 0.0);
+  expect_on_path(path.pose_at(16.0), {0, 0}, -kPi / 4);
 }
 
 TEST(RoundedPathTest, ToAndFroTurnsBackAtTheEnds) {
   const RoundedPath path({.points_m = {{0, 0}, {2, 0}}, .loop = true, .round_m = 0.0, .leave = false});
   EXPECT_DOUBLE_EQ(path.length_m(), 4.0);
-  expect_pose(path.pose_at(1.0), {1, 0}, 0.0);
-  expect_pose(path.pose_at(3.0), {1, 0}, kPi);
-  EXPECT_NEAR(std::abs(path.pose_at(2.0).theta_rad), kPi / 2, kRounding);
+  expect_on_path(path.pose_at(1.0), {1, 0}, 0.0);
+  expect_on_path(path.pose_at(3.0), {1, 0}, kPi);
+  EXPECT_NEAR(std::abs(path.pose_at(2.0).theta_rad), kPi / 2, kPathRounding);
 }
 
 TEST(RoundedPathTest, RefusesWhatIsNoPathAndSaysWhy) {
@@ -109,7 +110,7 @@ TEST(RoundedPathTest, RefusesWhatIsNoPathAndSaysWhy) {
 
 TEST(RoundedPathTest, ARadiusFitsUntilTheArcsMeet) {
   EXPECT_NO_THROW(validate_path(square(2.0), "x"));
-  EXPECT_NEAR(RoundedPath(square(2.0)).length_m(), 4 * kPi, kRounding);
+  EXPECT_NEAR(RoundedPath(square(2.0)).length_m(), 4 * kPi, kPathRounding);
 }
 
 RC_GTEST_PROP(RoundedPathTest, ArcLengthIsArcLength, ()) {

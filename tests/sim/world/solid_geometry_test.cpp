@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRounding = 1e-12;
+constexpr double kGeometryRounding = 1e-12;
 
 TEST(SolidGeometryTest, AClosedChainHasAnEdgeMore) {
   WallChain chain{.corners_m = {{0, 0}, {2, 0}, {2, 1}}, .closed = false};
@@ -25,8 +25,8 @@ TEST(SolidGeometryTest, AClosedChainHasAnEdgeMore) {
 TEST(SolidGeometryTest, ABoxHasFourEdgesRoundItsCentre) {
   const std::vector<Edge> edges = outline(Box{.X_WB = {{3, 4}, kPi / 2}, .size_m = {2, 1}});
   ASSERT_EQ(edges.size(), 4U);
-  EXPECT_NEAR((edges[0].a_m - Vector2d(3.5, 3)).norm(), 0.0, kRounding);
-  EXPECT_NEAR((edges[0].b_m - Vector2d(3.5, 5)).norm(), 0.0, kRounding);
+  EXPECT_NEAR((edges[0].a_m - Vector2d(3.5, 3)).norm(), 0.0, kGeometryRounding);
+  EXPECT_NEAR((edges[0].b_m - Vector2d(3.5, 5)).norm(), 0.0, kGeometryRounding);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(edges[i].b_m, edges[(i + 1) % 4].a_m);
 }
 
@@ -58,13 +58,13 @@ TEST(SolidGeometryTest, ClearanceIsNegativeInsideWhatHasAnInside) {
   EXPECT_DOUBLE_EQ(clearance_m(Cylinder{{1, 0}, 0.5}, {1, 0}), -0.5);
   EXPECT_DOUBLE_EQ(clearance_m(Cylinder{{1, 0}, 0.5}, {3, 0}), 1.5);
   const Box box{.X_WB = {{0, 0}, 0.0}, .size_m = {4, 2}};
-  EXPECT_NEAR(clearance_m(box, {0, 0}), -1.0, kRounding);
-  EXPECT_NEAR(clearance_m(box, {5, 5}), 5.0, kRounding);
+  EXPECT_NEAR(clearance_m(box, {0, 0}), -1.0, kGeometryRounding);
+  EXPECT_NEAR(clearance_m(box, {5, 5}), 5.0, kGeometryRounding);
   const Polygon triangle{.corners_m = {{0, 0}, {3, 0}, {0, 3}}};
-  EXPECT_NEAR(clearance_m(triangle, {1, 0.5}), -0.5, kRounding);
-  EXPECT_NEAR(clearance_m(triangle, {3, 3}), std::sqrt(4.5), kRounding);
+  EXPECT_NEAR(clearance_m(triangle, {1, 0.5}), -0.5, kGeometryRounding);
+  EXPECT_NEAR(clearance_m(triangle, {3, 3}), std::sqrt(4.5), kGeometryRounding);
   const WallChain room{.corners_m = {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, .closed = true};
-  EXPECT_NEAR(clearance_m(room, {1, 0.75}), 0.75, kRounding);
+  EXPECT_NEAR(clearance_m(room, {1, 0.75}), 0.75, kGeometryRounding);
 }
 
 TEST(SolidGeometryTest, ASolidReachesFromItsBottomToItsTop) {

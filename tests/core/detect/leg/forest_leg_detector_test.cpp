@@ -9,12 +9,14 @@
 
 #include "core/detect/feature_detector.hpp"
 #include "tests/support/ideal_scene.hpp"
+#include "tests/support/scan_of.hpp"
 
 namespace scanbed {
 namespace {
 
 using Eigen::Vector2d;
 using testing::IdealScene;
+using testing::scan_of;
 
 Features surfaces_in(const LaserScan& scan) {
   DetectorOptions options = robust_options();
@@ -30,13 +32,6 @@ Features detect_legs(const LaserScan& scan, const LegOptions& options) {
 
 std::vector<Leg> legs_in(const LaserScan& scan) {
   return detect_legs(scan, robust_options().leg).legs;
-}
-
-LaserScan scan_of(std::vector<double> range_m) {
-  LaserScan scan;
-  scan.geometry.num_beams = static_cast<int>(range_m.size());
-  scan.range_m = std::move(range_m);
-  return scan;
 }
 
 // A person before a wall, one farther away, and a column.

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/scan_of.hpp"
+
 namespace scanbed {
 namespace {
 
-LaserScan scan_of(std::vector<double> range_m) {
-  LaserScan scan;
-  scan.geometry.num_beams = static_cast<int>(range_m.size());
-  scan.range_m = std::move(range_m);
-  return scan;
-}
+using testing::scan_of;
 
 TEST(LegBeamsTest, WhatIsNoDistanceIsNoEcho) {
   const double nan = std::numeric_limits<double>::quiet_NaN();

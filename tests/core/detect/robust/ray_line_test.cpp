@@ -18,7 +18,7 @@ struct Fitted {
   RayLine line;
 };
 
-Fitted fit_all(const LaserScan& scan) {
+Fitted fit_whole_scan(const LaserScan& scan) {
   Fitted fitted;
   EchoReader().read(scan, {}, fitted.echoes);
   RayLineSums sums;
@@ -34,7 +34,7 @@ LaserScan wall_scan() {
 }
 
 TEST(RayLineTest, AnExactWallHasItsNormalOverItsDistanceAndNoResidual) {
-  const RayLine line = fit_all(wall_scan()).line;
+  const RayLine line = fit_whole_scan(wall_scan()).line;
   // Through (2, -1) along (1, 2.5): normal (2.5, -1), offset 6.
   EXPECT_NEAR(line.inverse_m.x(), 2.5 / 6.0, 1e-9);
   EXPECT_NEAR(line.inverse_m.y(), -1.0 / 6.0, 1e-9);
@@ -45,7 +45,7 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
   double ratio = 0.0;
   constexpr int kRepeats = 50;
   for (int seed = 0; seed < kRepeats; ++seed) {
-    Fitted fitted = fit_all(with_noise(wall_scan(), 0.006, static_cast<unsigned>(seed)));
+    Fitted fitted = fit_whole_scan(with_noise(wall_scan(), 0.006, static_cast<unsigned>(seed)));
     const double true_sigmas = fitted.echoes.range_noise_m / 0.006;
     ratio += fitted.line.chi2 * true_sigmas * true_sigmas / (fitted.echoes.size() - 2) / kRepeats;
   }
@@ -55,7 +55,7 @@ TEST(RayLineTest, NoiseLeavesAChiSquaredOfItsDegreesOfFreedom) {
 TEST(RayLineTest, TheDirectionIsAsUncertainAsPositionsAlongTheWallLeaveIt) {
   IdealScene scene;
   scene.wall({4.0, -0.3}, {4.0, 0.3});  // seen head-on: errors of range are errors across the wall
-  const Fitted fitted = fit_all(scene.scan());
+  const Fitted fitted = fit_whole_scan(scene.scan());
   double sum_m2 = 0.0;
   for (int k = 0; k < fitted.echoes.size(); ++k) sum_m2 += fitted.echoes.y_m[k] * fitted.echoes.y_m[k];
   const double expected_rad2 = fitted.echoes.range_noise_m * fitted.echoes.range_noise_m / sum_m2;
@@ -68,7 +68,7 @@ TEST(RayLineTest, TheUncertaintyOfADirectionIsThatOfItsErrors) {
   double expected_rad2 = 0.0;
   constexpr int kRepeats = 400;
   for (int seed = 0; seed < kRepeats; ++seed) {
-    const Fitted fitted = fit_all(with_noise(wall_scan(), 0.006, static_cast<unsigned>(seed)));
+    const Fitted fitted = fit_whole_scan(with_noise(wall_scan(), 0.006, static_cast<unsigned>(seed)));
     const double error_rad =
         std::atan2(fitted.line.inverse_m.y(), fitted.line.inverse_m.x()) - std::atan2(-1.0, 2.5);
     const double true_sigmas = 0.006 / fitted.echoes.range_noise_m;
@@ -120,7 +120,7 @@ TEST(RayLineTest, TheBestCutIsTheOneFoundByTrial) {
 }
 
 TEST(RayLineTest, AllInstructionSetsFindTheSameCutsToTheBit) {
-  const Fitted whole = fit_all(with_noise(wall_scan(), 0.02, 5));
+  const Fitted whole = fit_whole_scan(with_noise(wall_scan(), 0.02, 5));
   RayLineSums plain(InstructionSet::kPlain);
   RayLineSums widest;
   plain.build(whole.echoes);
@@ -155,7 +155,7 @@ TEST(RayLineTest, AnEchoAtAnEndThatIsOffTheLineIsCutOff) {
 }
 
 TEST(RayLineTest, ChiSquaredIsThatOfTheFit) {
-  const Fitted whole = fit_all(with_noise(wall_scan(), 0.005, 4));
+  const Fitted whole = fit_whole_scan(with_noise(wall_scan(), 0.005, 4));
   RayLineSums sums;
   sums.build(whole.echoes);
   for (const Stretch& places : {Stretch{0, 1}, Stretch{3, 20}, Stretch{0, whole.echoes.size() - 1}}) {
@@ -165,7 +165,7 @@ TEST(RayLineTest, ChiSquaredIsThatOfTheFit) {
 }
 
 TEST(RayLineTest, TwoStretchesAreFittedAsOne) {
-  const Fitted whole = fit_all(with_noise(wall_scan(), 0.005, 4));
+  const Fitted whole = fit_whole_scan(with_noise(wall_scan(), 0.005, 4));
   RayLineSums sums;
   sums.build(whole.echoes);
   const double chi2 = sums.fit_both({0, 9}, {10, whole.echoes.size() - 1}).chi2;
