@@ -195,20 +195,28 @@ class LegWorldBuilder {
     const double leg_m = table ? dice_.uniform(0.012, 0.035) : dice_.uniform(0.008, 0.022);
     const Pose2 pose{p_m, turn()};
     const bool star = !table && dice_.chance(0.3);
-    const int count = star ? 5 : 4;
-    for (int i = 0; i < count; ++i) {
-      const Vector2d q_m = star
-                               ? polar(2.0 * kPi * i / 5, half_x_m)
-                               : Vector2d((i % 2 == 0 ? 1 : -1) * half_x_m, (i / 2 == 0 ? 1 : -1) * half_y_m);
-      const Vector2d at_m = pose * q_m;
-      if (clearance_m(at_m) < leg_m) continue;
-      if (dice_.chance(0.5)) {
-        add("furniture", sim::Cylinder{at_m, leg_m});
-      } else {
-        add("furniture", sim::Box{{at_m, pose.theta_rad}, Vector2d::Constant(2.0 * leg_m)});
+    if (star) {
+      put_star(pose, half_x_m, leg_m);
+    } else {
+      for (const double y_m : {half_y_m, -half_y_m}) {
+        for (const double x_m : {half_x_m, -half_x_m}) put_chair_leg(pose, {x_m, y_m}, leg_m);
       }
     }
-    if (star && clearance_m(p_m) > 0.03) add("furniture", sim::Cylinder{p_m, dice_.uniform(0.015, 0.03)});
+  }
+
+  void put_star(const Pose2& pose, double reach_m, double leg_m) {
+    for (int i = 0; i < 5; ++i) put_chair_leg(pose, polar(2.0 * kPi * i / 5, reach_m), leg_m);
+    if (clearance_m(pose.p_m) > 0.03) add("furniture", sim::Cylinder{pose.p_m, dice_.uniform(0.015, 0.03)});
+  }
+
+  void put_chair_leg(const Pose2& pose, const Vector2d& q_m, double leg_m) {
+    const Vector2d at_m = pose * q_m;
+    if (clearance_m(at_m) < leg_m) return;
+    if (dice_.chance(0.5)) {
+      add("furniture", sim::Cylinder{at_m, leg_m});
+    } else {
+      add("furniture", sim::Box{{at_m, pose.theta_rad}, Vector2d::Constant(2.0 * leg_m)});
+    }
   }
 
   void put_thin_post() {

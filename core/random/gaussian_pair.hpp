@@ -24,7 +24,7 @@ inline double minus_log_of_unit(std::uint32_t word) {
   const auto bits = std::bit_cast<std::uint64_t>(u);
   const std::uint64_t lifted = bits + 0x00095F619980C433ULL;
   const auto exponent = static_cast<double>(static_cast<std::int32_t>(lifted >> 52) - 1023 - 32);
-  const double m = std::bit_cast<double>((lifted & 0x000FFFFFFFFFFFFFULL) + 0x3FE6A09E667F3BCDULL);
+  const auto m = std::bit_cast<double>((lifted & 0x000FFFFFFFFFFFFFULL) + 0x3FE6A09E667F3BCDULL);
   const double s = (m - 1.0) / (m + 1.0);
   const double s2 = s * s;
   const double series =

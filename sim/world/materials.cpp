@@ -40,6 +40,7 @@ Material material_named(std::string_view name) {
 
 std::vector<std::string> material_names() {
   std::vector<std::string> names;
+  names.reserve(kMaterials.size());
   for (const NamedMaterial& candidate : kMaterials) names.emplace_back(candidate.name);
   return names;
 }

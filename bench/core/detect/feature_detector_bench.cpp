@@ -53,7 +53,7 @@ void detect_in_turn(benchmark::State& state, const std::vector<LaserScan>& scans
   FeatureDetector detector(options);
   std::size_t i = 0;
   std::vector<double> times_us;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     time_one(times_us, [&] { benchmark::DoNotOptimize(&detector.detect(scans[i])); });
     if (++i == scans.size()) i = 0;
   }
@@ -90,7 +90,7 @@ void lines_by_number_of_corners(benchmark::State& state) {
   options.segmentation.max_gap_m = 0.5;
   FeatureDetector detector(options);
   const LaserScan scan = zigzag(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(&detector.detect(scan));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(&detector.detect(scan));
   state.counters["lines"] = static_cast<double>(detector.detect(scan).lines.size());
 }
 BENCHMARK(lines_by_number_of_corners)->RangeMultiplier(2)->Range(2, 32);

@@ -27,7 +27,7 @@ void tracks_and_scene(benchmark::State& state, const std::vector<LaserScan>& rec
   Interpreter interpreter;
   std::size_t i = 0;
   double time_s = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     LaserScan& scan = detected.scans[i];
     scan.time_s = time_s;
     const std::vector<Track>& tracks = tracker.update(scan, detected.features[i], Pose2{});
@@ -41,7 +41,7 @@ void tracks_and_scene(benchmark::State& state, const std::vector<LaserScan>& rec
 void scan_matching(benchmark::State& state, const std::vector<LaserScan>& recorded) {
   EgoMotion ego;
   std::size_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(&ego.update(recorded[i]));
     if (++i == recorded.size()) i = 0;
   }

@@ -19,7 +19,7 @@ Bytes telegram_of_361() {
 
 void check_word_of_732_bytes(benchmark::State& state) {
   const Bytes bytes = telegram_of_361();
-  for (auto _ : state) benchmark::DoNotOptimize(lms_crc(bytes));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(lms_crc(bytes));
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes.size()));
 }
 BENCHMARK(check_word_of_732_bytes);
@@ -30,7 +30,7 @@ void telegram_of_732_bytes_to_scan(benchmark::State& state) {
   ScanAssembler assembler({}, {}, false);
   LaserScan scan;
   WireItem item;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     decoder.feed(bytes, 0.0);
     SCANBED_ENSURE(decoder.next(item));
     SCANBED_ENSURE(assembler.take(item.body, {1.0}, scan) == ScanAssembler::Outcome::kScan);
@@ -47,7 +47,7 @@ void telegram_in_pieces_to_scan(benchmark::State& state) {
   ScanAssembler assembler({}, {}, false);
   LaserScan scan;
   WireItem item;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t at = 0; at < bytes.size(); at += 62) {
       decoder.feed(ByteView(bytes).subspan(at, std::min<std::size_t>(62, bytes.size() - at)), 0.0);
       if (decoder.next(item)) assembler.take(item.body, {1.0}, scan);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "core/simd/float_lanes.hpp"
 
@@ -64,8 +65,8 @@ static_assert(1 << kInRegister == kBlock);
   }
   for (int level = kInRegister; level < LegTree::kDepth; ++level) {
     answer(tree, level, block, is_upper);
-    const int num_left = 1 << (LegTree::kDepth - 1 - level);
-    for (int i = 0; i < num_left; ++i) {
+    const std::ptrdiff_t num_left = 1 << (LegTree::kDepth - 1 - level);
+    for (std::ptrdiff_t i = 0; i < num_left; ++i) {
       picked[i] = _mm256_blendv_ps(picked[2 * i], picked[2 * i + 1], reinterpret_cast<__m256>(is_upper));
     }
   }
