@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "hw/recording/carmen_message.hpp"
+#include "hw/recording/reading_limit.hpp"
 #include "hw/recording/text_fields.hpp"
 
 namespace scanbed::hw {
 namespace {
-
-constexpr double kCarmenNoEcho_m = 81.91;
 
 bool starts_with_any(std::string_view text, std::string_view first, std::string_view second) {
   return text.starts_with(first) || text.starts_with(second);
@@ -34,16 +33,7 @@ std::string message_of(const LaserScan& scan) {
 
 double to_reading_m(double range_m) {
   if (std::isfinite(range_m) || std::isnan(range_m)) return range_m;
-  return range_m > 0.0 ? kCarmenNoEcho_m : 0.0;
-}
-
-/// Readings from the maximum range on mean "no return", so it must lie beyond all ranges.
-double carmen_max_range_m(const LaserScan& scan) {
-  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kCarmenNoEcho_m;
-  for (const double range_m : scan.range_m) {
-    if (std::isfinite(range_m) && range_m >= max_m) max_m = range_m + 0.001;
-  }
-  return max_m;
+  return range_m > 0.0 ? kNoReturnReading_m : 0.0;
 }
 
 void append_readings(std::string& out, const LaserScan& scan) {
@@ -63,7 +53,7 @@ void append_configuration(std::string& out, const LaserScan& scan) {
   append_field(out, geometry.first_rad);
   append_field(out, geometry.step_rad * std::max(scan.num_beams() - 1, 0));
   append_field(out, geometry.step_rad);
-  append_field(out, carmen_max_range_m(scan));
+  append_field(out, reading_limit_m(scan, 0.0));
   append_field(out, 0.001);  // accuracy
   append_field(out, 0);      // remission_mode
 }

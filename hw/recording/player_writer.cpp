@@ -14,12 +14,13 @@
 #include "core/errors/input_error.hpp"
 #include "hw/recording/json_text.hpp"
 #include "hw/recording/player_log.hpp"
+#include "hw/recording/reading_limit.hpp"
 #include "hw/recording/text_fields.hpp"
 
 namespace scanbed::hw {
 namespace {
 
-constexpr double kPlayerNoEcho_m = 81.91;
+constexpr double kRangeResolution_m = 0.001;
 
 /// As printf("%0*.*f") or with a plus sign, in front of a number of a prefix or a message.
 void append_padded(std::string& out, const char* format, double value) {
@@ -36,15 +37,6 @@ void append_prefix(std::string& out, double time_s, int index, std::string_view 
   out.append(" ").append(message);
 }
 
-/// Readings from the maximum range on mean "no return", so it must lie beyond all ranges, rounded.
-double player_max_range_m(const LaserScan& scan) {
-  double max_m = std::isfinite(scan.geometry.max_range_m) ? scan.geometry.max_range_m : kPlayerNoEcho_m;
-  for (const double range_m : scan.range_m) {
-    if (std::isfinite(range_m) && range_m + 0.001 > max_m) max_m = range_m + 0.002;
-  }
-  return max_m;
-}
-
 double to_reading_m(double range_m, double max_m) {
   if (std::isfinite(range_m)) return range_m;
   return range_m == kNoEcho ? max_m : 0.0;
@@ -52,7 +44,7 @@ double to_reading_m(double range_m, double max_m) {
 
 void append_scan(std::string& out, const LaserScan& scan, std::int64_t id) {
   const ScanGeometry& geometry = scan.geometry;
-  const double max_m = player_max_range_m(scan);
+  const double max_m = reading_limit_m(scan, kRangeResolution_m);
   append_padded(out, " %04.0f", static_cast<double>(id));
   if (scan.X_OR) {
     append_padded(out, " %+07.3f", scan.X_OR->p_m.x());

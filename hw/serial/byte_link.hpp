@@ -17,6 +17,11 @@ class UnsupportedBaud : public SensorFault {
   explicit UnsupportedBaud(const std::string& what) : SensorFault(Kind::kDisconnected, what) {}
 };
 
+/// A link whose other end went away, or is not there.
+inline SensorFault link_fault(const std::string& message) {
+  return {SensorFault::Kind::kDisconnected, message};
+}
+
 /// Bytes to and from a device, over a serial port or a network.
 class ByteLink {
  public:
@@ -41,6 +46,9 @@ class ByteLink {
 
   /// What a byte takes on the wire; 0 for links that are no wire at a baud.
   virtual double byte_s() const { return 0.0; }
+
+ protected:
+  static constexpr double kWritePatience_s = 1.0;
 };
 
 }  // namespace scanbed::hw

@@ -23,11 +23,6 @@ namespace {
 
 constexpr int kFastestUnpacedBaud = 115200;
 constexpr double kByteGap_s = 60e-6;
-constexpr double kWritePatience_s = 1.0;
-
-SensorFault port_fault(const std::string& message) {
-  return {SensorFault::Kind::kDisconnected, message};
-}
 
 std::string advice(int error, const std::string& path) {
   switch (error) {
@@ -51,16 +46,16 @@ std::string advice(int error, const std::string& path) {
 
 FileDescriptor open_terminal(const std::string& path) {
   FileDescriptor fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!fd.is_open()) throw port_fault(path + ": " + advice(errno, path));
+  if (!fd.is_open()) throw link_fault(path + ": " + advice(errno, path));
   termios2 settings{};
-  if (::ioctl(fd.get(), TCGETS2, &settings) != 0) throw port_fault(path + ": " + advice(errno, path));
+  if (::ioctl(fd.get(), TCGETS2, &settings) != 0) throw link_fault(path + ": " + advice(errno, path));
   return fd;
 }
 
 FileDescriptor open_port(const std::string& path) {
   FileDescriptor fd = open_terminal(path);
   // TIOCEXCL keeps other users out, the lock also a second scanbed of the superuser.
-  if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) throw port_fault(path + ": " + advice(errno, path));
+  if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) throw link_fault(path + ": " + advice(errno, path));
   ::ioctl(fd.get(), TIOCEXCL);
   return fd;
 }
@@ -130,7 +125,7 @@ SerialPort::~SerialPort() {
 }
 
 void SerialPort::lose(const char* what) const {
-  throw port_fault(path_ + ": port lost (" + what + "); was it unplugged?");
+  throw link_fault(path_ + ": port lost (" + what + "); was it unplugged?");
 }
 
 void SerialPort::set_baud(int baud) {

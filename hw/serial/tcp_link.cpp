@@ -20,12 +20,6 @@
 namespace scanbed::hw {
 namespace {
 
-constexpr double kSendPatience_s = 1.0;
-
-SensorFault link_fault(const std::string& message) {
-  return {SensorFault::Kind::kDisconnected, message};
-}
-
 struct FreeAddresses {
   void operator()(addrinfo* list) const { ::freeaddrinfo(list); }
 };
@@ -98,7 +92,7 @@ std::size_t TcpLink::read(std::span<std::uint8_t> buffer, double timeout_s, cons
 }
 
 void TcpLink::write(ByteView bytes, const StopSignal& stop) {
-  const double deadline_s = steady_now_s() + kSendPatience_s;
+  const double deadline_s = steady_now_s() + kWritePatience_s;
   while (!bytes.empty()) {
     const ssize_t count = ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count > 0) {
