@@ -9,6 +9,7 @@ namespace scanbed {
 void require(bool holds, std::string_view name, double value, std::string_view allowed) {
   if (holds) return;
   std::ostringstream message;
+  message.precision(15);  // 5000000 as it was written, not 5e+06; 0.1 too
   message << name << ": value " << value << " is out of range; allowed: " << allowed;
   throw InputError(message.str());
 }

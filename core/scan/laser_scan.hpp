@@ -43,4 +43,7 @@ struct LaserScan {
   bool has_echo(int beam) const { return range_m[beam] > 0.0 && std::isfinite(range_m[beam]); }
 };
 
+/// Range of the beam that points nearest to a bearing, sensor frame S; kNoEcho where none points there.
+double range_towards(const LaserScan& scan, double bearing_rad);
+
 }  // namespace scanbed

@@ -58,7 +58,7 @@ void round_to_lms_words(std::span<double> range_m, RangeUnit unit, int bits) {
   }
 }
 
-std::optional<LmsWordFormat> lms_word_format(std::uint8_t measuring_mode) {
+std::optional<LmsWordFormat> lms_word_format(int measuring_mode) {
   using Flags = LmsWordFormat::Flags;
   switch (measuring_mode) {
     case 0x00:

@@ -73,7 +73,7 @@ struct LmsWordFlags {
 /// do not exist.
 ///
 /// @par Source  SICK, "Telegrams for Configuring and Operating the LMS 2xx", measuring modes.
-std::optional<LmsWordFormat> lms_word_format(std::uint8_t measuring_mode);
+std::optional<LmsWordFormat> lms_word_format(int measuring_mode);
 
 /// Words to ranges as decode_lms_word does it, in any format: the codes of the 14- and 15-bit formats are
 /// those of the 13-bit one with the further bits set (3FFFh, 7FFFh: no echo).

@@ -13,6 +13,7 @@ namespace scanbed {
 class RangeSensor {
  public:
   using Seconds = std::chrono::duration<double>;
+  static constexpr Seconds kPatience{2.0};  ///< longer than any laser needs for a scan
 
   RangeSensor() = default;
   RangeSensor(const RangeSensor&) = delete;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "core/geometry/angles.hpp"
 
@@ -46,5 +47,12 @@ struct ScanGeometry {
     return a.num_beams == b.num_beams && a.first_rad == b.first_rad && a.step_rad == b.step_rad;
   }
 };
+
+/// What is wrong with a geometry that no sensor has: beams spread over more than a turn, numbers that are not
+/// finite; empty where nothing is.
+std::string_view fault_of(const ScanGeometry& geometry);
+
+/// @throws InputError for such a geometry.
+void check_geometry(const ScanGeometry& geometry);
 
 }  // namespace scanbed

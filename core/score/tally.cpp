@@ -51,7 +51,8 @@ KindScore::KindScore() {
 }
 
 void KindScore::count_truth(double distance_m, bool found) {
-  const auto band = std::min(bands.size() - 1, static_cast<std::size_t>(distance_m / kBandWidth_m));
+  const auto band =
+      static_cast<std::size_t>(std::min(distance_m / kBandWidth_m, static_cast<double>(bands.size() - 1)));
   ++bands[band].num_truths;
   ++tally.num_truths;
   if (!found) return;

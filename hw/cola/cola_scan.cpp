@@ -114,6 +114,7 @@ bool to_laser_scan(const ColaScan& telegram, LaserScan& scan) {
   if (found == telegram.channels.end() || found->step == 0 || found->step > 100000) return false;
   if (!(found->scale > 0.0F && found->scale < 1000.0F) || !std::isfinite(found->offset)) return false;
   scan.geometry = geometry_of(telegram, *found);
+  if (!fault_of(scan.geometry).empty()) return false;
   scan.X_OR.reset();
   scan.source.clear();
   scan.health = health_of(telegram.status);

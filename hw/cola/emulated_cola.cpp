@@ -110,11 +110,7 @@ std::string EmulatedCola::scan_text(std::string_view kind, double now_s) {
           to_cola_hex(num_values);
   for (std::uint32_t i = 0; i < num_values; ++i) {
     const double angle_deg = (options_.first_angle + static_cast<double>(i) * options_.step) / 10000.0;
-    const double beam =
-        std::round((radians(angle_deg - 90.0) - scan_.geometry.first_rad) / scan_.geometry.step_rad);
-    const bool is_there = beam >= 0.0 && beam < scan_.num_beams();
-    double range_m = kNoEcho;
-    if (is_there) range_m = scan_.range_m[static_cast<std::size_t>(beam)];
+    const double range_m = range_towards(scan_, radians(angle_deg - 90.0));
     const double steps = std::isfinite(range_m) ? std::clamp(range_m * 1000.0, 0.0, 65535.0) : 0.0;
     text += " " + to_cola_hex(static_cast<std::uint32_t>(std::lround(steps)));
   }

@@ -45,7 +45,6 @@ bool is_left(const FieldReader& fields, int num) {
 
 /// The configuration in front of the readings of the newer messages.
 ScanGeometry read_geometry(FieldReader& fields) {
-  constexpr double kMostTurn_rad = 2.0 * kPi + 1e-3;
   ScanGeometry geometry;
   fields.finite("laser_type");
   geometry.first_rad = fields.finite("start_angle");
@@ -59,13 +58,7 @@ ScanGeometry read_geometry(FieldReader& fields) {
   if (!fields.ok()) return geometry;
   const int num_steps = geometry.num_beams - 1;
   if (geometry.step_rad == 0.0 && num_steps > 0) geometry.step_rad = field_of_view_rad / num_steps;
-  if (std::abs(geometry.first_rad) > kMostTurn_rad)
-    fields.fail("start_angle is more than a turn, in radians");
-  if (num_steps > 0 && geometry.step_rad == 0.0)
-    fields.fail("angular_resolution and field_of_view are both 0");
-  if (std::abs(geometry.step_rad) * std::max(num_steps, 1) > kMostTurn_rad) {
-    fields.fail("angular_resolution spreads the readings over more than a turn, in radians");
-  }
+  if (const std::string_view fault = fault_of(geometry); !fault.empty()) fields.fail(std::string(fault));
   return geometry;
 }
 

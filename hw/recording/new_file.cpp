@@ -17,16 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kAsUmaskAllows = 0666;
 
-/// The file that a link leads to, even one that is not there yet; which canonical() would not follow.
-fs::path resolved(fs::path path) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows
-  std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
-    path = path.parent_path() / fs::read_symlink(path, error);
-  }
-  return path;
-}
-
 fs::path part_of(const fs::path& path, NewFile::Unfinished unfinished) {
   std::string name = path.filename().string();
   if (unfinished == NewFile::Unfinished::kRemoved) name = "." + name + "." + std::to_string(::getpid());
@@ -43,12 +33,21 @@ bool is_named(const FileDescriptor& file, const fs::path& name) {
 
 }  // namespace
 
+fs::path behind_links(fs::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+
 NewFile::NewFile(const fs::path& path, Unfinished unfinished) : path_(path), unfinished_(unfinished) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::is_directory(status)) throw WriteFault(path_.string() + ": is a folder, not a file");
   if (!fs::exists(status) || fs::is_regular_file(status)) {
-    path_ = resolved(path_);
+    path_ = behind_links(path_);
     part_ = part_of(path_, unfinished_);
   }
   descriptor_ = is_regular() && unfinished_ == Unfinished::kKept ? open_alone() : open();

@@ -14,6 +14,9 @@ class WriteFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The file that a link leads to, even one that is not there yet; which canonical() would not follow.
+std::filesystem::path behind_links(std::filesystem::path path);
+
 /// A file that grows under another name beside its own, and gets its own when it is finished: under that name
 /// it is never half, and an older one stays until the new one is whole. A link is written through: the file
 /// that it leads to is the one that is replaced. What is there and no regular file (a pipe, a terminal) is

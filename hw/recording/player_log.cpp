@@ -13,7 +13,6 @@
 #include "hw/recording/field_reader.hpp"
 #include "hw/recording/json_value.hpp"
 #include "hw/recording/line_reader.hpp"
-#include "hw/recording/scan_json.hpp"
 
 namespace scanbed::hw {
 namespace {

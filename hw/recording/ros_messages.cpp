@@ -11,7 +11,6 @@
 #include "hw/recording/even_angles.hpp"
 #include "hw/recording/little_endian.hpp"
 #include "hw/recording/nano_time.hpp"
-#include "hw/recording/scan_json.hpp"
 
 namespace scanbed::hw {
 

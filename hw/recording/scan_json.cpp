@@ -180,23 +180,6 @@ ScanGeometry read_geometry(const JsonValue& json, int num_beams) {
   return geometry;
 }
 
-void check_geometry(const ScanGeometry& geometry) {
-  constexpr double kMostTurn_rad = 2.0 * kPi + 1e-3;
-  const int num_steps = geometry.num_beams > 1 ? geometry.num_beams - 1 : 1;
-  // Written so that NaN fails, too.
-  if (!(std::abs(geometry.first_rad) <= kMostTurn_rad)) {
-    throw InputError("the first beam's angle is more than a turn, in radians");
-  }
-  if (!(std::abs(geometry.step_rad) * num_steps <= kMostTurn_rad)) {
-    throw InputError("the beams are spread over more than a turn, in radians");
-  }
-  if (geometry.num_beams > 1 && geometry.step_rad == 0.0) throw InputError("all beams point the same way");
-  if (geometry.timing.num_rotations < 1) throw InputError("'rotations' is less than 1");
-  if (std::isnan(geometry.max_range_m) || std::isnan(geometry.min_range_m)) {
-    throw InputError("a range limit is no number");
-  }
-}
-
 void write_pose(JsonText& json, const Pose2& pose) {
   json.begin_array().number(pose.p_m.x()).number(pose.p_m.y()).number(pose.theta_rad).end_array();
 }

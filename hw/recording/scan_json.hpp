@@ -22,9 +22,6 @@ double read_time(const JsonValue& scan);
 void write_geometry(JsonText& json, const ScanGeometry& geometry);
 ScanGeometry read_geometry(const JsonValue& json, int num_beams);
 
-/// Refuses a geometry that no sensor has: beams spread over more than a turn, or numbers that are not finite.
-void check_geometry(const ScanGeometry& geometry);
-
 /// [x_m, y_m, theta_rad]
 void write_pose(JsonText& json, const Pose2& pose);
 Pose2 read_pose(const JsonValue& json);

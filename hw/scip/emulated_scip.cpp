@@ -164,9 +164,7 @@ void EmulatedScip::answer(const std::string& line, double now_s) {
 int EmulatedScip::range_mm(int step) const {
   const double bearing_rad =
       (step - options_.parameters.front_step) * 2.0 * kPi / options_.parameters.steps_per_turn;
-  const double beam = std::round((bearing_rad - scan_.geometry.first_rad) / scan_.geometry.step_rad);
-  if (!(beam >= 0.0 && beam < scan_.num_beams())) return 1;
-  const double range_m = scan_.range_m[static_cast<std::size_t>(beam)];
+  const double range_m = range_towards(scan_, bearing_rad);
   // 1 is what a sensor says of a beam without echo.
   return std::isfinite(range_m) ? static_cast<int>(std::lround(std::clamp(range_m, 0.0, 262.0) * 1000.0)) : 1;
 }

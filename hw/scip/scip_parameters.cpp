@@ -36,7 +36,7 @@ bool is_possible(const ScipParameters& p) {
   return p.steps_per_turn > 0 && p.steps_per_turn <= kMostSteps && p.first_step >= 0 &&
          p.last_step > p.first_step && p.last_step <= 9999 && p.front_step >= 0 && p.front_step <= 9999 &&
          p.turns_per_minute > 0 && p.turns_per_minute <= 60000 && p.min_range_mm >= 0 &&
-         p.max_range_mm > p.min_range_mm;
+         p.max_range_mm > p.min_range_mm && fault_of(p.geometry()).empty();
 }
 
 }  // namespace

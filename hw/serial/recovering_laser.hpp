@@ -5,17 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "core/errors/sensor_fault.hpp"
 #include "core/scan/range_sensor.hpp"
+#include "hw/serial/device_refusal.hpp"
 #include "hw/serial/stop_signal.hpp"
 
 namespace scanbed::hw {
-
-/// A device that understood and said no: another attempt would not help.
-class DeviceRefusal : public SensorFault {
- public:
-  explicit DeviceRefusal(const std::string& what) : SensorFault(Kind::kProtocol, what) {}
-};
 
 struct RecoveryOptions {
   double pause_s = 1.0;        ///< between two attempts

@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/errors/ensure.hpp"
-
 namespace scanbed::hw {
 namespace {
 

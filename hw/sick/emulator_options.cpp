@@ -63,7 +63,7 @@ LmsFault parse_lms_fault(std::string_view text) {
 
 void EmulatorOptions::validate() const {
   require(address <= 0x7F, "emulator.address", address, "[0, 127]");
-  require(is_lms_baud(power_on_baud), "emulator.power_on_baud", power_on_baud, "9600, 19200, 38400, 500000");
+  require(is_lms_baud(power_on_baud), "emulator.power_on_baud", power_on_baud, kLmsBaudNames);
   require(variant.is_offered(), "emulator.variant.resolution", variant.resolution_cdeg / 100.0,
           "0.5 or 1 at 180 degrees, 0.25, 0.5 or 1 at 100");
   require(boot_s >= 0.0 && boot_s <= 60.0, "emulator.boot_s", boot_s, "[0, 60]");

@@ -184,7 +184,7 @@ LmsReply LmsLink::ask_for(const LmsCommand& command, std::size_t index, const As
     const Try outcome = wait_for_reply(index, how, reply);
     if (outcome == Try::kAnswered) {
       if (!std::holds_alternative<RefusedReply>(*reply)) return std::move(*reply);
-      throw LmsRefusal("the sensor refused command " + name_of(command) + " as illegal (92h)");
+      throw DeviceRefusal("the sensor refused command " + name_of(command) + " as illegal (92h)");
     }
     if (outcome == Try::kRejected) {
       ++counts_.num_naks;

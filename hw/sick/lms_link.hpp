@@ -8,18 +8,13 @@
 
 #include "core/errors/sensor_fault.hpp"
 #include "hw/serial/byte_link.hpp"
+#include "hw/serial/device_refusal.hpp"
 #include "hw/sick/lms_command.hpp"
 #include "hw/sick/lms_reply.hpp"
 #include "hw/sick/sick_options.hpp"
 #include "hw/sick/telegram_decoder.hpp"
 
 namespace scanbed::hw {
-
-/// The sensor understood and said no: asking again would not help.
-class LmsRefusal : public SensorFault {
- public:
-  explicit LmsRefusal(const std::string& what) : SensorFault(Kind::kProtocol, what) {}
-};
 
 /// The sensor started anew while it was spoken to: all that was set is gone.
 class LmsReboot : public SensorFault {
@@ -47,7 +42,7 @@ class LmsLink {
 
   /// Sends a command and waits for its own answer; telegrams of other kinds that come before it are dropped.
   /// NAK and silence are answered by asking again.
-  /// @throws LmsRefusal where the answer is 92h; LmsReboot where it is the text of power-on.
+  /// @throws DeviceRefusal where the answer is 92h; LmsReboot where it is the text of power-on.
   /// @throws SensorFault kTimeout where there is none; kDisconnected where the port is lost. Stopped.
   template <typename Reply>
   Reply ask(const LmsCommand& command, const Ask& how) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hw/sick/lms_session.hpp"
 
-#include <algorithm>
-#include <array>
 #include <optional>
+#include <string>
 
 #include "hw/serial/steady_clock.hpp"
 
@@ -16,8 +15,8 @@ constexpr double kDiagnosticReply_s = 1.0;
 
 void check_done(const ModeReply& reply, const std::string& what) {
   if (reply.result == 0) return;
-  throw LmsRefusal("the sensor refused " + what + " (result " + std::to_string(reply.result) +
-                   (reply.result == 1 ? ": wrong password or not allowed)" : ": fault)"));
+  throw DeviceRefusal("the sensor refused " + what + " (result " + std::to_string(reply.result) +
+                      (reply.result == 1 ? ": wrong password or not allowed)" : ": fault)"));
 }
 
 std::string text_of(const LmsVariant& variant) {
@@ -35,7 +34,7 @@ bool answers(LmsLink& link) {
     return true;
   } catch (const LmsReboot&) {
     return true;  // it speaks, and it is in the mode that was asked for
-  } catch (const LmsRefusal&) {
+  } catch (const DeviceRefusal&) {
     return true;
   } catch (const SensorFault& fault) {
     if (fault.kind() != SensorFault::Kind::kTimeout) throw;
@@ -50,7 +49,7 @@ Reply ask_if_known(LmsLink& link, RequestCommand::What what) {
     return link.ask<Reply>(RequestCommand{what}, {.num_tries = kTriesAtABaud, .reply_s = kDiagnosticReply_s});
   } catch (const LmsReboot&) {
     throw;
-  } catch (const LmsRefusal&) {
+  } catch (const DeviceRefusal&) {
     return {};
   } catch (const SensorFault& fault) {
     if (fault.kind() != SensorFault::Kind::kTimeout) throw;
@@ -71,15 +70,15 @@ void set_variant(LmsLink& link, const LmsVariant& now, const LmsVariant& wanted)
   if (now == wanted) return;
   const auto reply = link.ask<VariantReply>(SetVariantCommand{wanted});
   if (reply.is_done && reply.variant == wanted) return;
-  throw LmsRefusal("the sensor refused " + text_of(wanted) + " and stays at " + text_of(reply.variant) +
-                   "; choose another fov_deg or resolution_deg");
+  throw DeviceRefusal("the sensor refused " + text_of(wanted) + " and stays at " + text_of(reply.variant) +
+                      "; choose another fov_deg or resolution_deg");
 }
 
 LmsConfiguration wanted_configuration(const LmsConfiguration& now, const SickOptions& options) {
   LmsConfiguration wanted = now;
   wanted.set_unit(options.unit);
   if (options.measuring_mode) {
-    wanted.set_measuring_mode(*options.measuring_mode);
+    wanted.set_measuring_mode(static_cast<std::uint8_t>(*options.measuring_mode));
   } else if (!lms_word_format(now.measuring_mode())) {
     wanted.set_measuring_mode(0);
   }
@@ -106,7 +105,7 @@ LmsConfiguration write_once(LmsLink& link, const LmsConfiguration& wanted) {
     if (reply.is_done && serves(reply.configuration, wanted)) return reply.configuration;
   } catch (const LmsReboot&) {
     throw;
-  } catch (const LmsRefusal&) {
+  } catch (const DeviceRefusal&) {
     throw;
   } catch (const SensorFault& fault) {
     if (fault.kind() != SensorFault::Kind::kTimeout) throw;
@@ -114,7 +113,7 @@ LmsConfiguration write_once(LmsLink& link, const LmsConfiguration& wanted) {
     if (serves(now, wanted)) return now;
     throw;
   }
-  throw LmsRefusal("the sensor refused the configuration (unit or measuring mode)");
+  throw DeviceRefusal("the sensor refused the configuration (unit or measuring mode)");
 }
 
 LmsConfiguration write_configuration(LmsLink& link, const LmsConfiguration& wanted) {
@@ -155,10 +154,10 @@ LmsIdentity find_lms(LmsLink& link, std::span<const int> bauds) {
     }
     if (answers(link)) return identify(link, baud);
   }
-  throw SensorFault(
-      SensorFault::Kind::kTimeout,
-      "nothing answers at 9600, 19200, 38400 or 500000 baud; is the sensor on (it starts up to 60 s), "
-      "is the cable the right one (RS-232 or RS-422, null modem), is this its port?");
+  throw SensorFault(SensorFault::Kind::kTimeout,
+                    "nothing answers at " + std::string(kLmsBaudNames) +
+                        " baud; is the sensor on (it starts up to 60 s), is the cable the right one (RS-232 "
+                        "or RS-422, null modem), is this its port?");
 }
 
 void change_baud(LmsLink& link, int baud) {
@@ -189,8 +188,6 @@ void end_stream(ByteLink& port, int baud, double answer_s) noexcept {
       // A sensor that does not listen any more: the next driver stops its stream.
     }
     if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, once);
-  } catch (const SensorFault&) {
-    return;
   } catch (const Stopped&) {
     return;
   } catch (const std::exception&) {

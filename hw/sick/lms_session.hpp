@@ -27,7 +27,7 @@ std::vector<int> probe_order(int first_baud);
 LmsIdentity find_lms(LmsLink& link, std::span<const int> bauds);
 
 /// Takes sensor and port to another baud, and sees that they understand each other there.
-/// @throws LmsRefusal, SensorFault kTimeout.
+/// @throws DeviceRefusal, SensorFault kTimeout.
 void change_baud(LmsLink& link, int baud);
 
 /// Brings a sensor that was found to where it streams what the options say: baud, variant, configuration,
@@ -35,7 +35,7 @@ void change_baud(LmsLink& link, int baud);
 /// mode in which it can be written is left again whatever happens.
 ///
 /// @returns the configuration in force.
-/// @throws LmsRefusal saying what the sensor does not take; SensorFault as ask() does.
+/// @throws DeviceRefusal saying what the sensor does not take; SensorFault as ask() does.
 LmsConfiguration start_stream(LmsLink& link, const LmsIdentity& identity, const SickOptions& options);
 
 /// Stops the stream and, where `baud` is not 0, goes back to it. Waits at most `answer_s` for either, whether

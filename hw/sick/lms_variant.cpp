@@ -10,7 +10,7 @@ bool LmsVariant::is_offered() const {
   return fov_deg == 100 && (resolution_cdeg == 100 || resolution_cdeg == 50 || resolution_cdeg == 25);
 }
 
-bool is_lms_baud(int baud) {
+bool is_lms_baud(std::int64_t baud) {
   return std::find(std::begin(kLmsBauds), std::end(kLmsBauds), baud) != std::end(kLmsBauds);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "core/scan/lms_word.hpp"
 
@@ -31,7 +33,8 @@ struct LmsStreamSettings {
 
 /// Bauds that an LMS 2xx knows, slowest first: 9600, 19200, 38400, 500000.
 inline constexpr int kLmsBauds[] = {9600, 19200, 38400, 500000};
+inline constexpr std::string_view kLmsBaudNames = "9600, 19200, 38400, 500000";
 
-bool is_lms_baud(int baud);
+bool is_lms_baud(std::int64_t baud);
 
 }  // namespace scanbed::hw

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hw/sick/scan_feed.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "core/errors/sensor_fault.hpp"
@@ -10,13 +9,6 @@ namespace scanbed::hw {
 namespace {
 
 constexpr RangeSensor::Seconds kPatience{1.0};
-
-double range_at(const LaserScan& scan, double bearing_rad) {
-  const double place = (bearing_rad - scan.geometry.first_rad) / scan.geometry.step_rad;
-  const double beam = std::round(place);
-  if (!(beam >= 0.0 && beam < scan.num_beams())) return kNoEcho;
-  return scan.range_m[static_cast<std::size_t>(beam)];
-}
 
 }  // namespace
 
@@ -43,7 +35,7 @@ const std::vector<std::uint16_t>& ScanFeed::next() {
   const double first_rad = -0.5 * radians(variant.fov_deg);
   words_.resize(static_cast<std::size_t>(variant.num_beams()));
   for (std::size_t i = 0; i < words_.size(); ++i) {
-    const double range_m = range_at(scan_, first_rad + static_cast<double>(i) * step_rad);
+    const double range_m = range_towards(scan_, first_rad + static_cast<double>(i) * step_rad);
     words_[i] = encode_lms_word(range_m, settings_.unit, format_.range_bits);
   }
   const SentScan sent{num_scans_++, scan_, words_, settings_.unit, format_, sensor_->truth()};

@@ -129,7 +129,7 @@ void SickLms::Impl::work() {
       attempt();
     } catch (const Stopped&) {
       return;
-    } catch (const LmsRefusal&) {
+    } catch (const DeviceRefusal&) {
       return give_up(std::current_exception());
     } catch (const SensorFault& fault) {
       if (!try_again(fault)) return give_up(std::make_exception_ptr(final_fault(options.path, fault)));
@@ -153,7 +153,7 @@ void SickLms::Impl::attempt() {
   } catch (const Stopped&) {
     leave(port);
     throw;
-  } catch (const LmsRefusal&) {
+  } catch (const DeviceRefusal&) {
     leave(port);
     throw;
   }

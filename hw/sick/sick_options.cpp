@@ -7,7 +7,7 @@ namespace scanbed::hw {
 
 void SickOptions::validate() const {
   if (path.empty()) throw InputError("sick: no port; write sick:/dev/serial/by-id/...");
-  require(is_lms_baud(baud), "sick.baud", baud, "9600, 19200, 38400, 500000");
+  require(is_lms_baud(baud), "sick.baud", baud, kLmsBaudNames);
   require(fov_deg == 180 || fov_deg == 100, "sick.fov_deg", fov_deg, "180, 100");
   require(resolution_cdeg == 100 || resolution_cdeg == 50 || resolution_cdeg == 25, "sick.resolution_deg",
           resolution_cdeg / 100.0, "1, 0.5, 0.25");

@@ -33,9 +33,9 @@ struct SickOptions {
   int resolution_cdeg =
       50;  ///< hundredths of a degree: 100, 50 or 25; 25 at 180 degrees interlaces four turns
   RangeUnit unit = RangeUnit::kMillimetre;
-  std::optional<std::uint8_t> measuring_mode;  ///< empty: leave the sensor's own
-  bool restore_baud = true;                    ///< on close go back to the baud that the sensor was found at
-  int max_waiting = 64;      ///< scans kept for a reader that is busy; then the oldest are dropped
+  std::optional<int> measuring_mode;  ///< empty: leave the sensor's own
+  bool restore_baud = true;           ///< on close go back to the baud that the sensor was found at
+  int max_waiting = 64;               ///< scans kept for a reader that is busy; then the oldest are dropped
   bool is_lossless = false;  ///< rather let the port wait than drop scans: for emulators, which can wait too
   SickPatience patience;
 

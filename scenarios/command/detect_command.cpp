@@ -17,7 +17,6 @@
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
@@ -25,12 +24,10 @@
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/analyst.hpp"
 #include "scenarios/run/live_sensor.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {
-
-// Longer than any laser needs for a scan; sources that never wait ignore it.
-constexpr RangeSensor::Seconds kScanTimeout{2.0};
 
 /// Where features go.
 struct Sinks {
@@ -44,7 +41,7 @@ void print_features(const DetectCommand& command, RangeSensor& sensor, Analyst& 
   LaserScan scan;
   std::string line;
   for (std::int64_t num_scans = 0; !command.limit || num_scans < *command.limit; ++num_scans) {
-    if (is_interrupted() || !sensor.next(scan, kScanTimeout)) return;
+    if (is_interrupted() || !sensor.next(scan, RangeSensor::kPatience)) return;
     watch.see(scan);
     line.clear();
     const Findings findings = analyst.analyse(scan);

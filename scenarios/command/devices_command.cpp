@@ -10,8 +10,8 @@
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/usage.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {

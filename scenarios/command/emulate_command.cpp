@@ -13,9 +13,9 @@
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/run/emulation.hpp"
+#include "scenarios/run/output.hpp"
 #include "scenarios/run/truth_file.hpp"
 
 namespace scanbed::scenarios {
@@ -45,10 +45,10 @@ EmulateCommand to_emulate(const EmulateTexts& texts) {
                          .backend = texts.backend.value(),
                          .settings = texts.settings.values()};
   for (const std::string& fault : texts.faults) command.faults.push_back(hw::parse_lms_fault(fault));
-  const std::int64_t address = to_count("--address", texts.address, 0);
-  require(address <= 127, "--address", static_cast<double>(address), "[0, 127]");
-  command.address = static_cast<std::uint8_t>(address);
-  command.baud = static_cast<int>(std::min<std::int64_t>(to_count("--baud", texts.baud, 1), 1000000));
+  command.address = static_cast<std::uint8_t>(to_count("--address", texts.address, 0, 127));
+  const std::int64_t baud = to_count("--baud", texts.baud, 1);
+  require(hw::is_lms_baud(baud), "--baud", static_cast<double>(baud), hw::kLmsBaudNames);
+  command.baud = static_cast<int>(baud);
   if (!texts.duration.empty()) {
     command.duration_s = to_time_s("--for", texts.duration);
     require(*command.duration_s >= 0.0, "--for", *command.duration_s, ">= 0");

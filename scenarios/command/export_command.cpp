@@ -5,8 +5,8 @@
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/open_laser.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/shared_flags.hpp"
+#include "scenarios/run/output.hpp"
 #include "sim/spatial/mjcf.hpp"
 
 namespace scanbed::scenarios {

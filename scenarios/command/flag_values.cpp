@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/errors/input_error.hpp"
+#include "hw/recording/new_file.hpp"
 #include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/number.hpp"
 #include "scenarios/load/place.hpp"
@@ -15,15 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Also where a link leads that leads nowhere yet.
-fs::path resolved(fs::path path) {
-  constexpr int kMostLinks = 40;
+fs::path resolved(const fs::path& path) {
   std::error_code error;
-  path = fs::absolute(path, error);
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
-    path = path.parent_path() / fs::read_symlink(path, error);
-  }
-  return fs::weakly_canonical(path, error);
+  return fs::weakly_canonical(hw::behind_links(fs::absolute(path, error)), error);
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
@@ -39,10 +34,12 @@ bool is_same_file(const FlagFile& a, const FlagFile& b) {
 
 }  // namespace
 
-std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least) {
+std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least,
+                      std::optional<std::int64_t> greatest) {
   const std::optional<std::int64_t> count = parse_count(text);
   if (!count) throw InputError(fmt::format("{}: expected a whole number, found {}", flag, quote(text)));
-  require(*count >= least, flag, static_cast<double>(*count), fmt::format(">= {}", least));
+  require(*count >= least && (!greatest || *count <= *greatest), flag, static_cast<double>(*count),
+          greatest ? fmt::format("[{}, {}]", least, *greatest) : fmt::format(">= {}", least));
   return *count;
 }
 

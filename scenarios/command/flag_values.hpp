@@ -17,7 +17,8 @@ namespace scanbed::scenarios {
 // expected.
 
 /// A whole number, `least` or more.
-std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least);
+std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least,
+                      std::optional<std::int64_t> greatest = {});
 
 double to_time_s(std::string_view flag, const std::string& text);
 

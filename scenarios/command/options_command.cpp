@@ -3,9 +3,9 @@
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/command/usage.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 

@@ -18,12 +18,12 @@
 #include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/open_laser.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/load/number.hpp"
 #include "scenarios/load/place.hpp"
 #include "scenarios/report/video_file.hpp"
+#include "scenarios/run/output.hpp"
 #include "scenarios/run/picture_taker.hpp"
 
 namespace scanbed::scenarios {
@@ -214,10 +214,27 @@ void check_ending(std::string_view flag, const std::string& file, std::string_vi
   throw InputError(fmt::format("{}: expected a name that ends in {}, found {}", flag, ending, quote(file)));
 }
 
-RenderCommand to_render(const RenderTexts& texts) {
-  if (texts.out.empty() && texts.gif.empty() && texts.mp4.empty()) {
+// What is to be written, and that no flag asks for something else.
+void check_outputs(const RenderTexts& texts) {
+  const bool is_film = !texts.gif.empty() || !texts.mp4.empty();
+  if (texts.out.empty() && !is_film) {
     throw InputError("nothing to write: name a file with -o, --gif or --mp4; see 'scanbed render --help'");
   }
+  const RenderTexts unsaid;
+  if (texts.out.empty() && texts.at != unsaid.at) {
+    throw InputError("--at: only for pictures; write -o FILE, or --from and --to for a film");
+  }
+  const auto check_film_flag = [&](std::string_view flag, bool is_said) {
+    if (is_film || !is_said) return;
+    throw InputError(fmt::format("{}: only for films; write --gif FILE or --mp4 FILE", flag));
+  };
+  check_film_flag("--from", texts.from != unsaid.from);
+  check_film_flag("--to", texts.to != unsaid.to);
+  check_film_flag("--fps", texts.frames_per_s != unsaid.frames_per_s);
+}
+
+RenderCommand to_render(const RenderTexts& texts) {
+  check_outputs(texts);
   check_ending("--out", texts.out, ".png");
   check_ending("--gif", texts.gif, ".gif");
   check_ending("--mp4", texts.mp4, ".mp4");

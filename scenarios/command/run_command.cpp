@@ -15,7 +15,6 @@
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/run_one.hpp"
 #include "scenarios/command/shared_flags.hpp"
@@ -25,6 +24,7 @@
 #include "scenarios/report/run_summary.hpp"
 #include "scenarios/report/score_table.hpp"
 #include "scenarios/run/in_order.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -104,12 +104,15 @@ void check_laser(const RunCommand& command) {
   };
   if (command.out) refuse("--out: pictures are");
   if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
-  if (command.seeds && command.seeds->count() > 1) refuse("--seed: several seeds");
 }
 
 void check_tasks(const RunCommand& command, const std::vector<Task>& tasks) {
   if (command.record && tasks.size() > 1) {
     throw InputError(fmt::format("--record: one recording holds one run; found {}", tasks.size()));
+  }
+  if (command.laser.kind != LaserKind::kSimulated && tasks.size() > 1) {
+    throw InputError(
+        fmt::format("--laser {}: its scans show one run; found {}", command.laser.text, tasks.size()));
   }
   check_names(tasks);
   for (const Task& task : tasks) {
@@ -221,6 +224,9 @@ std::vector<std::string> scenarios_of(const RunTexts& texts) {
 }
 
 RunCommand to_run(const RunTexts& texts) {
+  if (texts.tables && (texts.is_quiet || texts.json == "-")) {
+    throw InputError("--tables: no table is printed with --quiet or --json -; leave one of them out");
+  }
   LaserSpec laser = parse_laser_spec(texts.laser);
   std::vector<FlagFile> read = scenario_files(texts.scenarios);
   read.insert(read.end(), {laser_file(laser), {"--truth", to_path(texts.truth)}, texts.detector.file()});
@@ -251,24 +257,25 @@ ExitCode execute(const RunCommand& command) {
   check_tasks(command, tasks);
   Reporter reporter(command, static_cast<int>(tasks.size()));
   std::vector<std::optional<RunAndPictures>> runs(tasks.size());
-  do_in_order({.num_jobs = static_cast<int>(tasks.size()),
-               .num_workers = num_workers(command),
-               .work =
-                   [&](int i) {
-                     if (is_interrupted()) return;
-                     Task& task = tasks[i];
-                     if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
-                     FeatureDetector detector(options.detector);
-                     const AnalystOptions analysis{command.track, false, options.track, options.interpret};
-                     const Processing processing{detector, analysis, preset_of(options)};
-                     runs[i] = run_one(command, {*task.scenario, processing, task.out, tasks.size() == 1});
-                     task.scenario.reset();
-                   },
-               .finish =
-                   [&](int i) {
-                     if (runs[i]) reporter.take(std::move(*runs[i]));
-                     return runs[i].has_value();
-                   }});
+  do_in_order(
+      {.num_jobs = static_cast<int>(tasks.size()),
+       .num_workers = num_workers(command),
+       .work =
+           [&](int i) {
+             if (is_interrupted()) return;
+             Task& task = tasks[i];
+             if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
+             FeatureDetector detector(options.detector);
+             const AnalystOptions analysis{command.track, false, options.track, options.interpret};
+             const Processing processing{detector, analysis, preset_of(options)};
+             runs[i] = run_one(command, {task.name, *task.scenario, processing, task.out, tasks.size() == 1});
+             task.scenario.reset();
+           },
+       .finish =
+           [&](int i) {
+             if (runs[i]) reporter.take(std::move(*runs[i]));
+             return runs[i].has_value();
+           }});
   return reporter.finish();
 }
 

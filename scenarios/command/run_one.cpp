@@ -23,7 +23,7 @@ namespace {
 
 Recorder open_recorder(const RunCommand& command, const Run& run) {
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, run.processing.preset);
-  if (command.record) add_scenario(metadata, command.scenarios.front(), run.scenario.seed);
+  if (command.record) add_scenario(metadata, run.name, run.scenario.seed);
   return {command.record, metadata};
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenarios/command/commands.hpp"
@@ -13,6 +14,7 @@ namespace scanbed::scenarios {
 
 /// One scenario with one seed.
 struct Run {
+  std::string name;  ///< or path, as it was asked for
   const Scenario& scenario;
   const Processing& processing;
   std::optional<std::filesystem::path> out;  ///< folder for its pictures

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/command/commands.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/usage.hpp"
 #include "scenarios/load/load_scenario.hpp"
+#include "scenarios/run/output.hpp"
 #include "scenarios/schema/json_schema.hpp"
 #include "scenarios/schema/learn_keys.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/command/commands.hpp"
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 

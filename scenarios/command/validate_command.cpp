@@ -6,10 +6,10 @@
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/log.hpp"
-#include "scenarios/command/output.hpp"
 #include "scenarios/command/usage.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 

@@ -10,25 +10,16 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "core/text/utf8.hpp"
 #include "scenarios/load/node.hpp"
 
 namespace scanbed::scenarios {
 namespace {
-
-// Names go into JSON and XML, which must be UTF-8. Checked by who would refuse to write it.
-bool is_utf8(const std::string& text) {
-  try {
-    return !nlohmann::json(text).dump().empty();
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
 
 // Builds our tree from the parser's events. The library's own tree keeps the first of duplicate keys, shares
 // aliased nodes however often they are repeated, and forgets where missing things should have been.
@@ -61,7 +52,8 @@ class TreeBuilder final : public YAML::EventHandler {
                 const std::string& value) override {
     // The parser marks a plain scalar with "?" and one in quotes with "!".
     if (!tag.empty() && tag != "?" && tag != "!") refuse(place(mark), "tags are not supported");
-    if (!is_utf8(value)) refuse(place(mark), "is no text in UTF-8; save the file as UTF-8");
+    // Names go into JSON and XML, which must be UTF-8.
+    if (as_utf8(value) != value) refuse(place(mark), "is no text in UTF-8; save the file as UTF-8");
     TreeNode node;
     node.kind = TreeNode::Kind::kScalar;
     node.place = place(mark);

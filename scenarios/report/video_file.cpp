@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/errors/ensure.hpp"
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {

@@ -78,14 +78,10 @@ std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metr
   return std::nullopt;
 }
 
-std::vector<GateResult> evaluate(std::span<const Need> needs, const Scores& scores) {
-  std::vector<GateResult> results;
-  for (const Need& need : needs) {
-    const std::optional<double> value = measure(scores, need.kind, need.metric);
-    const bool met = value && (need.metric.at_most ? *value <= need.bound : *value >= need.bound);
-    results.push_back({need, value, met});
-  }
-  return results;
+GateResult evaluate(const Need& need, const Scores& scores) {
+  const std::optional<double> value = measure(scores, need.kind, need.metric);
+  const bool met = value && (need.metric.at_most ? *value <= need.bound : *value >= need.bound);
+  return {need, value, met};
 }
 
 }  // namespace scanbed::scenarios

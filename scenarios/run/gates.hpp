@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "core/score/tally.hpp"
 #include "scenarios/load/need.hpp"
@@ -26,7 +24,7 @@ const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kin
 /// The metric's value; empty where it is a share or an error of nothing.
 std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric);
 
-/// Holds each need against the scores, in the same order.
-std::vector<GateResult> evaluate(std::span<const Need> needs, const Scores& scores);
+/// Holds a need against the scores.
+GateResult evaluate(const Need& need, const Scores& scores);
 
 }  // namespace scanbed::scenarios

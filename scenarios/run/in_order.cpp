@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,7 +16,8 @@ class Workers {
  public:
   explicit Workers(const OrderedJobs& jobs) : jobs_(jobs), states_(jobs.num_jobs) {
     const int num_threads = std::min(jobs.num_workers, jobs.num_jobs);
-    for (int i = 0; i < num_threads; ++i) threads_.emplace_back([this] { serve(); });
+    for (int i = 0; i < num_threads && start_thread(); ++i) {
+    }
   }
 
   Workers(const Workers&) = delete;
@@ -40,6 +42,17 @@ class Workers {
     bool is_done = false;
     std::exception_ptr error;
   };
+
+  // Whether there is one more. Where a machine has no room for as many as are wanted, fewer do the work.
+  bool start_thread() {
+    try {
+      threads_.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {
+      if (threads_.empty()) throw;
+      return false;
+    }
+    return true;
+  }
 
   void serve() {
     while (true) {

@@ -66,12 +66,14 @@ std::optional<Scores> Judge::scores() const {
 
 std::vector<GateResult> Judge::gates() const {
   std::vector<GateResult> gates;
-  if (!scores()) return gates;
+  const std::optional<Scores> whole = scores();
+  if (!whole) return gates;
+  std::vector<std::pair<TimeWindow, Scores>> parts;
+  for (const auto& [window, scorer] : windows_) parts.emplace_back(window, scorer.scores());
   for (const Need& need : needs_) {
-    const auto window = std::find_if(windows_.begin(), windows_.end(),
-                                     [&](const auto& candidate) { return candidate.first == need.window; });
-    const Scorer& scorer = window == windows_.end() ? scorer_ : window->second;
-    gates.push_back(evaluate(std::span(&need, 1), scorer.scores()).front());
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const auto& candidate) { return candidate.first == need.window; });
+    gates.push_back(evaluate(need, part == parts.end() ? *whole : part->second));
   }
   return gates;
 }

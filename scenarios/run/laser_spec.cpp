@@ -105,7 +105,7 @@ void set_sick_option(LaserSpec& spec, const SpecOption& option) {
   } else if (option.name == kOptions[3]) {
     set_unit(spec, option);
   } else if (option.name == kOptions[4]) {
-    spec.sick.measuring_mode = static_cast<std::uint8_t>(std::min(to_int(spec, option), 255));
+    spec.sick.measuring_mode = to_int(spec, option);
   } else if (option.name == kOptions[5]) {
     spec.sick.is_lossless = to_int(spec, option) != 0;
   } else {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {

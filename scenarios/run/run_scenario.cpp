@@ -7,9 +7,6 @@
 namespace scanbed::scenarios {
 namespace {
 
-// Longer than any laser needs for a scan; sources that never wait ignore it.
-constexpr RangeSensor::Seconds kScanTimeout{2.0};
-
 void count(const Features& features, FeatureCounts& counts) {
   counts.lines += static_cast<std::int64_t>(features.lines.size());
   counts.circles += static_cast<std::int64_t>(features.circles.size());
@@ -66,7 +63,7 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Proc
   Judge judge(scenario, processing.preset);
   Analyst analyst(processing.detector, analysis_of(scenario, processing));
   LaserScan scan;
-  while (!result.interrupted && sensor.next(scan, kScanTimeout)) {
+  while (!result.interrupted && sensor.next(scan, RangeSensor::kPatience)) {
     ++result.num_scans;
     const Findings found = analyst.analyse(scan);
     count(found.features, result.features);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/geometry/segment_distance.hpp"
 #include "core/score/scorer.hpp"
 #include "scenarios/run/gates.hpp"
 
@@ -18,11 +19,8 @@ struct Segment {
   Vector2d to_m;
 };
 
-double distance_m(const Vector2d& p, const Segment& segment) {
-  const Vector2d along = segment.to_m - segment.from_m;
-  const double length2_m2 = along.squaredNorm();
-  const double ratio = length2_m2 > 0.0 ? along.dot(p - segment.from_m) / length2_m2 : 0.0;
-  return (segment.from_m + std::clamp(ratio, 0.0, 1.0) * along - p).norm();
+double distance_m(const Vector2d& p_m, const Segment& segment) {
+  return segment_distance_m(p_m, segment.from_m, segment.to_m);
 }
 
 // Of a point to a segment; of two segments from the middle of the one to the other, since a wall's end that

@@ -15,19 +15,10 @@ namespace scanbed::scenarios {
 /// What tells one scan from another by its ranges, whichever way it came.
 std::uint64_t range_hash(std::span<const double> range_m);
 
-/// One line of a truth file: {"scan":0,"hash":"9ae16a3b2f90404f","X_WS":[x,y,theta],"objects":[...],
-/// "beams":[[object,range,incidence,mixed],...]}, metres and radians, null for a range without echo.
-std::string to_truth_line(std::int64_t scan, std::uint64_t hash, const Truth& truth);
-
-/// A line back; empty where it is none.
-struct TruthLine {
-  std::uint64_t hash = 0;
-  Truth truth;
-};
-std::optional<TruthLine> parse_truth_line(const std::string& line);
-
-/// Writes truth beside the wire: each line is out before the scan that it belongs to. What a file held before
-/// stays until begin(); one that is new and never begun is removed again.
+/// Writes truth beside the wire, a line a scan: {"scan":0,"hash":"9ae16a3b2f90404f","truth":{...}}, the hash
+/// that of its ranges and the truth as in recordings (hw/recording/scan_json.hpp). Each line is out before
+/// the scan that it belongs to. What a file held before stays until begin(); one that is new and never begun
+/// is removed again.
 class TruthWriter {
  public:
   /// @throws OutputFault where the file cannot be made.
@@ -60,16 +51,20 @@ class TruthReader {
   explicit TruthReader(const std::filesystem::path& path);
 
   /// Truth of the scan; nullptr where no further line has it. Lines before it are then not looked at again.
-  /// @throws InputError for a line that is no truth.
+  /// @throws InputError for a line that is no truth, or that of fewer or more beams.
   const Truth* find(std::span<const double> range_m);
 
  private:
-  std::optional<TruthLine> next_line();
+  /// One that is written to its end.
+  std::optional<std::string> next_line();
+  /// Takes the truth from the line of the scan that has so many beams, and tells whether it is that.
+  bool take(const std::string& line, std::uint64_t hash, int num_beams);
 
   std::filesystem::path path_;
   std::ifstream file_;
   std::string partial_;  // a line whose end is not written yet
-  TruthLine current_;
+  std::optional<std::uint64_t> hash_;
+  Truth truth_;  // of the scan with that hash
 };
 
 }  // namespace scanbed::scenarios

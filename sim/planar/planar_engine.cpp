@@ -8,13 +8,12 @@
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/geometry/angles.hpp"
+#include "sim/engine/physics_step.hpp"
 #include "sim/planar/floor_physics.hpp"
 #include "sim/world/world_script.hpp"
 
 namespace scanbed::sim {
 namespace {
-
-constexpr double kSubsteps_per_s = 300.0;
 
 const World& validated(const World& world) {
   world.validate();
@@ -57,7 +56,7 @@ PlanarEngine::Impl::Impl(const World& world) : X_RS(world.robot.X_RS), script(wo
 void PlanarEngine::Impl::step_physics() {
   ++num_substeps;
   std::swap(before, behind);
-  script.follow(static_cast<double>(num_substeps) / kSubsteps_per_s, behind);
+  script.follow(static_cast<double>(num_substeps) / kPhysicsSteps_per_s, behind);
   physics->step_to(behind);
 }
 

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "sim/engine/physics_step.hpp"
 #include "sim/spatial/appearance.hpp"
 #include "sim/spatial/mjcf_actors.hpp"
 #include "sim/spatial/mjcf_element.hpp"
@@ -14,8 +15,6 @@
 
 namespace scanbed::sim {
 namespace {
-
-constexpr double kTimeStep_s = 1.0 / 300.0;  // as in the planar engine
 
 // MuJoCo's defaults are made for a dark stage; here most of the light comes from everywhere, and one lamp
 // draws the shadows.
@@ -118,7 +117,10 @@ std::string mjcf_of(const World& world) {
   MjcfElement(root, "compiler").set("angle", "radian");
   // The elliptic cone is the round one of Coulomb's law; a high ratio keeps what friction holds from
   // creeping.
-  MjcfElement(root, "option").set("timestep", {kTimeStep_s}).set("cone", "elliptic").set("impratio", {10.0});
+  MjcfElement(root, "option")
+      .set("timestep", {1.0 / kPhysicsSteps_per_s})
+      .set("cone", "elliptic")
+      .set("impratio", {10.0});
   add_look(root, bounds);
   const pugi::xml_node asset = MjcfElement(root, "asset").node();
   const pugi::xml_node worldbody = MjcfElement(root, "worldbody").node();

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "sim/engine/physics_step.hpp"
 #include "sim/spatial/mujoco_model.hpp"
 #include "sim/spatial/pose_actors.hpp"
 #include "sim/world/world.hpp"
@@ -17,7 +18,7 @@ namespace scanbed::sim {
 /// are pulled by limited tendons. Solids, the robot and the walkers' shanks are in their way.
 class TowPhysics {
  public:
-  static constexpr double kStep_s = 1.0 / 300.0;
+  static constexpr double kStep_s = 1.0 / kPhysicsSteps_per_s;
 
   /// Puts the cylinders of the walkers present in `start` a rope's length behind them. The model stays the
   /// caller's, but ropes of absent walkers are switched off in it.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/geometry/cross.hpp"
+#include "core/geometry/segment_distance.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -46,10 +47,7 @@ std::vector<Edge> outline(const SolidShape& shape) {
 }
 
 double distance_m(const Edge& edge, const Vector2d& p_WQ) {
-  const Vector2d along = edge.b_m - edge.a_m;
-  const double length_sq = along.squaredNorm();
-  const double t = length_sq > 0.0 ? std::clamp((p_WQ - edge.a_m).dot(along) / length_sq, 0.0, 1.0) : 0.0;
-  return (p_WQ - edge.a_m - t * along).norm();
+  return segment_distance_m(p_WQ, edge.a_m, edge.b_m);
 }
 
 bool crosses(const Edge& edge, const Vector2d& p_WP, const Vector2d& p_WQ) {

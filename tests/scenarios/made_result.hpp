@@ -22,7 +22,7 @@ inline scenarios::RunResult made_result() {
       {FeatureKind::kCircle, scenarios::find_metric("recall").value(), 0.75},
       {FeatureKind::kLine, scenarios::find_metric("recall").value(), 0.9},
       {FeatureKind::kLeg, scenarios::find_metric("fp_per_scan").value(), 0.5}};
-  result.gates = scenarios::evaluate(needs, *result.scores);
+  for (const scenarios::Need& need : needs) result.gates.push_back(scenarios::evaluate(need, *result.scores));
   return result;
 }
 

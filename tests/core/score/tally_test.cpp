@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace scanbed {
 namespace {
 
@@ -25,12 +27,13 @@ TEST(TallyTest, TruthsFallIntoBandsOfTwoMetresTheLastOfThemOpen) {
   score.count_truth(1.9, true);
   score.count_truth(2.0, false);
   score.count_truth(100.0, true);
+  score.count_truth(HUGE_VAL, true);
   EXPECT_EQ(score.bands[0].num_found, 1);
   EXPECT_EQ(score.bands[1].num_truths, 1);
   EXPECT_EQ(score.bands[1].recall(), 0.0);
-  EXPECT_EQ(score.bands[4].num_found, 1);
-  EXPECT_EQ(score.tally.num_truths, 3);
-  EXPECT_EQ(score.tally.num_found, 2);
+  EXPECT_EQ(score.bands[4].num_found, 2);
+  EXPECT_EQ(score.tally.num_truths, 4);
+  EXPECT_EQ(score.tally.num_found, 3);
 }
 
 TEST(TallyTest, FalseDetectionsAreCountedPerScan) {

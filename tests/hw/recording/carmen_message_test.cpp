@@ -234,11 +234,10 @@ TEST(CarmenMessageTest, NamesWhatIsWrongWithALine) {
             "FLASER: ipc_timestamp is more than 1e12 s away from 0");
   EXPECT_EQ(damage_of("RAWLASER1 0 nan 3 1.5 50 0.01 0 0 0"), "RAWLASER1: start_angle is not finite");
   EXPECT_EQ(damage_of("RAWLASER1 0 -90 180 0.5 50 0.01 0 1 1 0"),
-            "RAWLASER1: start_angle is more than a turn, in radians");
-  EXPECT_EQ(damage_of("RAWLASER1 0 0 0 0 50 0.01 0 2 1 1 0"),
-            "RAWLASER1: angular_resolution and field_of_view are both 0");
+            "RAWLASER1: the first beam's angle is more than a turn, in radians");
+  EXPECT_EQ(damage_of("RAWLASER1 0 0 0 0 50 0.01 0 2 1 1 0"), "RAWLASER1: all beams point the same way");
   EXPECT_EQ(damage_of("RAWLASER1 0 -1 1 7 50 0.01 0 2 1 1 0"),
-            "RAWLASER1: angular_resolution spreads the readings over more than a turn, in radians");
+            "RAWLASER1: the beams are spread over more than a turn, in radians");
   EXPECT_EQ(damage_of("RAWLASER1 0 -1 1 0.5 50 0.01 0 2 1 1 2147483647 1"),
             "RAWLASER1: wrong number of fields: 1 left after 2 readings");
   EXPECT_EQ(damage_of("RAWLASER1 0 -1 1 0.5 50 0.01 0 2 1 1"), "RAWLASER1: num_remissions is missing");

@@ -31,19 +31,6 @@ TEST(ScanJsonTest, GeometryComesBack) {
   }
 }
 
-TEST(ScanJsonTest, RefusesAGeometryThatNoSensorHas) {
-  const auto check = [](const ScanGeometry& geometry) { check_geometry(geometry); };
-  EXPECT_NO_THROW(check({}));
-  EXPECT_THROW(check({.num_beams = 2, .step_rad = 0.0}), InputError);
-  EXPECT_THROW(check({.num_beams = 1000, .step_rad = 0.1}), InputError);
-  EXPECT_THROW(check({.first_rad = 10.0}), InputError);
-  EXPECT_THROW(check({.first_rad = std::nan("")}), InputError);
-  EXPECT_THROW(check({.step_rad = std::nan("")}), InputError);
-  EXPECT_THROW(check({.max_range_m = std::nan("")}), InputError);
-  EXPECT_THROW(check({.timing = {.num_rotations = 0}}), InputError);
-  EXPECT_NO_THROW(check({.num_beams = 1, .step_rad = 0.0}));
-}
-
 TEST(ScanJsonTest, FeaturesComeBack) {
   const Features features = made_features();
   const Features read = read_features(written([&](JsonText& json) { write_features(json, features); }), 361);

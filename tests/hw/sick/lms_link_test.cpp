@@ -80,7 +80,7 @@ TEST_F(LmsLinkTest, GivesUpInTheEnd) {
 
 TEST_F(LmsLinkTest, DoesNotAskAgainWhatWasRefused) {
   port_.answers = {from_hex("06 02 80 02 00 92 10 7F 33")};
-  EXPECT_THROW(ask(), LmsRefusal);
+  EXPECT_THROW(ask(), DeviceRefusal);
   EXPECT_EQ(port_.requests.size(), 1U);
 }
 

@@ -33,6 +33,8 @@ TEST(SickOptionsTest, NamesTheFieldThatIsWrong) {
   EXPECT_NE(refusal([](SickOptions& o) { o.resolution_cdeg = 30; }).find("sick.resolution_deg"),
             std::string::npos);
   EXPECT_NE(refusal([](SickOptions& o) { o.measuring_mode = 0x3F; }).find("sick.mode"), std::string::npos);
+  EXPECT_NE(refusal([](SickOptions& o) { o.measuring_mode = 256; }).find("sick.mode: value 256"),
+            std::string::npos);
   EXPECT_NE(refusal([](SickOptions& o) { o.max_waiting = 0; }).find("sick.max_waiting"), std::string::npos);
 }
 

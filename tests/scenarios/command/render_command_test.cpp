@@ -66,6 +66,20 @@ TEST(RenderTest, RefusesFilmsThatCannotBe) {
   EXPECT_EQ(run_program({"render", "static_hallway", "--gif", "/nowhere/hall.gif"}).exit_code, 3);
 }
 
+TEST(RenderTest, RefusesTimesOfWhatIsNotWritten) {
+  const testing::TemporaryFolder folder;
+  for (const std::string flag : {"--from", "--to", "--fps"}) {
+    const Outcome outcome =
+        run_program({"render", "static_hallway", "-o", (folder / "hall.png").string(), flag, "5"});
+    EXPECT_EQ(outcome.exit_code, 2) << flag;
+    EXPECT_NE(outcome.err.find(flag + ": only for films"), std::string::npos) << outcome.err;
+  }
+  const Outcome outcome =
+      run_program({"render", "static_hallway", "--gif", (folder / "hall.gif").string(), "--at", "5"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("--at: only for pictures"), std::string::npos) << outcome.err;
+}
+
 TEST(RenderTest, RefusesNamesOfOtherFormats) {
   const testing::TemporaryFolder folder;
   for (const auto& [flag, name, ending] :

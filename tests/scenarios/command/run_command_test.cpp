@@ -182,6 +182,11 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", "nothing_*"});
   refused({"run", scenario(kEasy), "--seed", "1..2", "--record", (folder_ / "r.jsonl").string()});
   refused({"run", scenario(kEasy), "--seed", "1..2", "--laser", "log:/nowhere"});
+  EXPECT_NE(refused({"run", scenario(kEasy), scenario(kHard, "t.yaml"), "--laser", "log:/nowhere"})
+                .find("--laser log:/nowhere: its scans show one run; found 2"),
+            std::string::npos);
+  refused({"run", scenario(kEasy), "--tables", "--quiet"});
+  refused({"run", scenario(kEasy), "--tables", "--json", "-"});
   refused({"run", scenario(kEasy), "--jobs", "0"});
   refused({"run", scenario(kEasy), "--laser", "sick:/dev/ttyS0?baud=1"});
   refused({"run", scenario(kEasy), "--laser", "sim:static_hallway"});
@@ -207,6 +212,13 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   EXPECT_NE(refused({"run", scenario(kEasy), scenario(kEasy + "seed: 2\n", "t.yaml")})
                 .find("t.yaml: name: 'easy' is that of "),
             std::string::npos);
+}
+
+TEST_F(RunTest, RecordsTheOneScenarioThatAPatternFits) {
+  const std::string file = (folder_ / "r.jsonl").string();
+  const Outcome outcome = run_program({"run", "empty_corrid*", "--record", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(testing::read_file(file).find("name: empty_corridor"), std::string::npos);
 }
 
 TEST_F(RunTest, HoldsAgainstTheGatesOfThePipelineThatRuns) {

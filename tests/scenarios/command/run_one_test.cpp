@@ -19,7 +19,7 @@ TEST(RunOneTest, RunsAndScoresWithItsPreset) {
       "world: [{id: c, cylinder: {at: [2, 0], r: 0.3}}]\nscore: {circle: {need: {recall: 0.9}}}\n");
   FeatureDetector detector(robust_options());
   const Processing processing{detector, {}, "robust"};
-  const RunAndPictures done = run_one(simulated(), {scenario, processing, {}});
+  const RunAndPictures done = run_one(simulated(), {scenario.name, scenario, processing, {}});
   EXPECT_EQ(done.result.num_scans, 10);
   EXPECT_EQ(done.result.laser, "sim");
   EXPECT_EQ(done.result.preset, "robust");
@@ -36,7 +36,7 @@ TEST(RunOneTest, ReportsWhatTheScriptDrivesIntoEachOther) {
   for (const sim::Backend backend : {sim::Backend::kPlanar, sim::Backend::kSpatial}) {
     RunCommand command = simulated();
     command.backend = backend;
-    const RunAndPictures done = run_one(command, {scenario, processing, {}});
+    const RunAndPictures done = run_one(command, {scenario.name, scenario, processing, {}});
     ASSERT_EQ(done.result.collisions.size(), 1u);
     EXPECT_EQ(done.result.collisions[0].first, "robot");
     EXPECT_EQ(done.result.collisions[0].second, "c");
@@ -49,7 +49,7 @@ TEST(RunOneTest, PaintsWhereItHasAFolder) {
   const Scenario scenario = testing::parse("outputs: {pictures: {top: [1]}}\n");
   FeatureDetector detector(robust_options());
   const Processing processing{detector};
-  const RunAndPictures done = run_one(simulated(), {scenario, processing, folder.path()});
+  const RunAndPictures done = run_one(simulated(), {scenario.name, scenario, processing, folder.path()});
   ASSERT_EQ(done.pictures.size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(done.pictures[0]));
 }

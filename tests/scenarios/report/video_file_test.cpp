@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 #include "tests/scenarios/support.hpp"
 
 namespace scanbed::scenarios {

@@ -36,8 +36,7 @@ TEST(MeasureTest, IsEmptyWhereThereIsNothing) {
 }
 
 bool is_met(FeatureKind kind, std::string_view name, double bound) {
-  const std::vector<Need> needs = {{kind, find_metric(name).value(), bound}};
-  return evaluate(needs, testing::made_scores()).at(0).met;
+  return evaluate({kind, find_metric(name).value(), bound}, testing::made_scores()).met;
 }
 
 TEST(EvaluateTest, HoldsSharesFromBelowAndErrorsFromAbove) {

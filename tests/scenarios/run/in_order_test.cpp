@@ -2,9 +2,13 @@
 #include "scenarios/run/in_order.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <barrier>
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -73,6 +77,28 @@ TEST(InOrderTest, EndsEarlyWhereItIsTold) {
                .finish = [&](int) { return ++num_finished < 3; }});
   EXPECT_EQ(num_finished, 3);
   EXPECT_GE(num_begun, 3);
+}
+
+// Threads reserve room for their stacks; in a process of its own, since the limit stays.
+TEST(InOrderTest, DoesWithTheThreadsThatThereIsRoomFor) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers reserve more than any limit";
+#endif
+  const auto run = [] {
+    std::ifstream statm("/proc/self/statm");
+    rlim_t num_pages = 0;
+    statm >> num_pages;
+    const rlim_t bytes = num_pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + (rlim_t{64} << 20U);
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &limit);
+    std::atomic<int> num_done = 0;
+    do_in_order({.num_jobs = 1000,
+                 .num_workers = 1000,
+                 .work = [&](int) { ++num_done; },
+                 .finish = [](int) { return true; }});
+    std::exit(num_done == 1000 ? 0 : 1);
+  };
+  EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(InOrderTest, HasNothingToDoForNoJobs) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/scan/laser_scan.hpp"
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 #include "tests/scenarios/support.hpp"
 
 namespace scanbed::scenarios {
@@ -16,7 +16,9 @@ Truth some_truth(int seed) {
   Truth truth;
   truth.X_WS = {{1.5, -2.0 + seed}, 0.25};
   truth.beams = {{.object = 1, .range_m = 2.125, .incidence_rad = 0.5, .mixed = true},
-                 {.object = kNoObject, .range_m = kNoEcho}};
+                 {.object = kNoObject, .range_m = kNoEcho},
+                 {.object = kNoObject, .range_m = kNoEcho},
+                 {.object = 0, .range_m = 2.0}};
   ObjectTruth wall;
   wall.id = "hall.2";
   wall.label = "wall";
@@ -38,35 +40,65 @@ std::vector<double> ranges(int seed) {
   return {1.0 + seed, kNoEcho, kInvalid, 2.0};
 }
 
-TEST(TruthFileTest, ALineComesBackWhole) {
-  const Truth sent = some_truth(3);
-  const auto line = parse_truth_line(to_truth_line(7, 0x123456789ABCDEF0U, sent));
-  ASSERT_TRUE(line.has_value());
-  EXPECT_EQ(line->hash, 0x123456789ABCDEF0U);
-  EXPECT_EQ(line->truth.X_WS.p_m, sent.X_WS.p_m);
-  EXPECT_EQ(line->truth.X_WS.theta_rad, 0.25);
-  ASSERT_EQ(line->truth.beams.size(), 2u);
-  EXPECT_EQ(line->truth.beams[0].object, 1);
-  EXPECT_EQ(line->truth.beams[0].range_m, 2.125);
-  EXPECT_TRUE(line->truth.beams[0].mixed);
-  EXPECT_EQ(line->truth.beams[1].range_m, kNoEcho);
-  ASSERT_EQ(line->truth.objects.size(), 2u);
-  EXPECT_EQ(line->truth.objects[0].to_m, sent.objects[0].to_m);
-  EXPECT_EQ(line->truth.objects[0].visibility, Visibility::kHidden);
-  EXPECT_EQ(line->truth.objects[1].id, "a.left_leg");
-  EXPECT_EQ(line->truth.objects[1].primitive, Primitive::kLeg);
-  EXPECT_EQ(line->truth.objects[1].radius_m, 0.07);
-  EXPECT_EQ(line->truth.objects[1].num_clean_beams, 9);
+// As an emulator writes it, for scans 0, 1, ...
+std::filesystem::path written(const testing::TemporaryFolder& folder, int num_scans) {
+  TruthWriter writer(folder / "truth.jsonl");
+  writer.begin();
+  for (int i = 0; i < num_scans; ++i) writer.write(i, ranges(i), some_truth(i));
+  return folder / "truth.jsonl";
+}
+
+TEST(TruthFileTest, TruthComesBackWhole) {
+  const testing::TemporaryFolder folder;
+  TruthReader reader(written(folder, 1));
+  const Truth* const read = reader.find(ranges(0));
+  ASSERT_NE(read, nullptr);
+  const Truth sent = some_truth(0);
+  EXPECT_EQ(read->X_WS.p_m, sent.X_WS.p_m);
+  EXPECT_EQ(read->X_WS.theta_rad, 0.25);
+  ASSERT_EQ(read->beams.size(), 4u);
+  EXPECT_EQ(read->beams[0].object, 1);
+  EXPECT_EQ(read->beams[0].range_m, 2.125);
+  EXPECT_TRUE(read->beams[0].mixed);
+  EXPECT_EQ(read->beams[1].range_m, kNoEcho);
+  ASSERT_EQ(read->objects.size(), 2u);
+  EXPECT_EQ(read->objects[0].to_m, sent.objects[0].to_m);
+  EXPECT_EQ(read->objects[0].visibility, Visibility::kHidden);
+  EXPECT_EQ(read->objects[1].id, "a.left_leg");
+  EXPECT_EQ(read->objects[1].primitive, Primitive::kLeg);
+  EXPECT_EQ(read->objects[1].radius_m, 0.07);
+  EXPECT_EQ(read->objects[1].num_clean_beams, 9);
+}
+
+// What a file says of its only line, with a part of it replaced.
+std::string refusal(const std::string& from, const std::string& to) {
+  const testing::TemporaryFolder folder;
+  const std::filesystem::path file = written(folder, 1);
+  std::string line = testing::read_file(file);
+  line.replace(line.find(from), from.size(), to);
+  testing::write_file(file, line);
+  TruthReader reader(file);
+  return testing::error_of([&] { reader.find(ranges(0)); });
 }
 
 TEST(TruthFileTest, RefusesLinesThatAreNone) {
-  std::string bad_object = to_truth_line(0, 1, some_truth(0));
-  bad_object.replace(bad_object.find("[[1,"), 4, "[[9,");
-  for (const std::string& line :
-       {std::string(), std::string("{}"), std::string("[1,2]"), std::string("nonsense"),
-        std::string(R"({"hash":"xyz","X_WS":[0,0,0],"objects":[],"beams":[]})"), bad_object}) {
-    EXPECT_FALSE(parse_truth_line(line).has_value()) << line;
-  }
+  EXPECT_NE(refusal("{\"scan\":0,", "[").find("not JSON"), std::string::npos);
+  EXPECT_NE(refusal("\"hash\":\"", "\"hash\":\"x").find("'hash' is no number"), std::string::npos);
+  EXPECT_NE(refusal("\"hash\"", "\"cash\"").find("'hash' is missing"), std::string::npos);
+  EXPECT_NE(refusal("\"truth\"", "\"lies\"").find("'truth' is missing"), std::string::npos);
+  // More than there are, and more than a whole number can be.
+  EXPECT_NE(refusal("\"object\":1", "\"object\":9").find("a beam's object 9 is not among the 2"),
+            std::string::npos);
+  EXPECT_NE(refusal("\"object\":1", "\"object\":1e300").find("object is not a whole number"),
+            std::string::npos);
+  const std::string no_echo = R"({"object":-1,"range":-1,"incidence":0,"mixed":0})";
+  EXPECT_NE(refusal("," + no_echo, "").find("the truth has 3 beams, but the scan 4"), std::string::npos);
+}
+
+TEST(TruthFileTest, RefusesALineWithoutEnd) {
+  TruthReader reader("/dev/zero");
+  EXPECT_EQ(testing::error_of([&] { reader.find(ranges(0)); }),
+            "--truth /dev/zero: holds a line longer than 16 MiB; allowed: what emulate wrote");
 }
 
 TEST(TruthFileTest, ScansAreToldApartByTheirRanges) {
@@ -78,11 +110,8 @@ TEST(TruthFileTest, ScansAreToldApartByTheirRanges) {
 }
 
 TEST(TruthFileTest, FindsScansThoughSomeAreMissing) {
-  testing::TemporaryFolder folder;
-  TruthWriter writer(folder / "truth.jsonl");
-  writer.begin();
-  for (int i = 0; i < 5; ++i) writer.write(i, ranges(i), some_truth(i));
-  TruthReader reader(folder / "truth.jsonl");
+  const testing::TemporaryFolder folder;
+  TruthReader reader(written(folder, 5));
   ASSERT_NE(reader.find(ranges(1)), nullptr);
   EXPECT_EQ(reader.find(ranges(1))->X_WS.p_m.y(), -1.0);
   EXPECT_EQ(reader.find(ranges(77)), nullptr);
@@ -113,8 +142,11 @@ TEST(TruthFileTest, RefusesFilesOfSomethingElse) {
   const testing::TemporaryFolder folder;
   const std::string file = testing::write_file(folder / "x", "#!/bin/sh\n");
   TruthReader reader(file);
-  EXPECT_EQ(testing::error_of([&] { reader.find(ranges(0)); }),
-            "--truth " + file + ": holds a line that is no truth of a scan; allowed: what emulate wrote");
+  EXPECT_EQ(
+      testing::error_of([&] { reader.find(ranges(0)); }),
+      "--truth " + file +
+          ": holds a line that is no truth of a scan: not JSON at byte 0: expected a value; allowed: what "
+          "emulate wrote");
 }
 
 TEST(TruthFileTest, LeavesAFileAsItWasUntilItBegins) {

@@ -67,7 +67,7 @@ TEST(WorldTest, NamesTheSolidAndTheFieldThatCannotBe) {
   expect_refused([](World& w) { std::get<Cylinder>(w.solids[1].shape).radius_m = kInf; },
                  "solid 'column': radius_m: value inf");
   expect_refused([](World& w) { std::get<Cylinder>(w.solids[1].shape).center_m.y() = 1e9; },
-                 "solid 'column': center: value 1e+09");
+                 "solid 'column': center: value 1000000000");
   expect_refused([](World& w) { std::get<Box>(w.solids[2].shape).size_m.y() = -1; },
                  "solid 'box': size_m along y: value -1");
   expect_refused([](World& w) { std::get<Box>(w.solids[2].shape).X_WB.theta_rad = kNan; },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenarios/command/output.hpp"
+#include "scenarios/run/output.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
