@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* kClientPassword = "F4724744";
 constexpr int kMostDamaged = 5;
+constexpr double kLeave_s = 0.15;  // for an answer: whoever stops does not want to wait
 constexpr std::uint32_t kMeasuring = 7;
 
 bool is_error(const std::string& answer) {
@@ -80,17 +81,20 @@ void wait_for_motor(ColaClient& client, bool is_logged_in, const ColaOptions& op
   }
 }
 
-void start(ColaClient& client, const ColaOptions& options, const StopSignal& stop) {
+/// @param must_run  set as long as the sensor is logged in, and so sends nothing to anybody.
+void start(ColaClient& client, const ColaOptions& options, const StopSignal& stop, bool& must_run) {
   client.ask("sEN LMDscandata 0");  // of a client that was here before
   // Newer firmware may refuse the log-in, and sensors that measure already stream without it.
+  must_run = true;
   const bool is_logged_in = log_in(client);
   if (is_logged_in) {
     // Distances of the first echo alone. Sensors that fix this refuse it; what they send is taken as it
     // comes.
     client.ask("sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1");
     client.ask("sMN LMCstartmeas");
-    client.ask("sMN Run");  // while logged in, an LMS sends nothing
+    client.ask("sMN Run");
   }
+  must_run = false;
   wait_for_motor(client, is_logged_in, options, stop);
   const std::string answer = client.ask("sEN LMDscandata 1");
   if (is_error(answer)) refuse("to stream", answer);
@@ -119,15 +123,28 @@ void stream(ColaClient& client, const RecoveringLaser::Give& give) {
   throw SensorFault(SensorFault::Kind::kProtocol, "nothing but damaged scans");
 }
 
+/// Leaves the sensor quiet and logged out, as far as it still listens. Waits for its answers, since what is
+/// closed at once may never be read.
+void leave(ByteLink& link, bool must_run) noexcept {
+  try {
+    const StopSignal not_given;
+    ColaClient client(link, kLeave_s, not_given);
+    if (must_run) client.send("sMN Run");
+    client.ask("sEN LMDscandata 0");
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 void attempt(const ColaOptions& options, const RecoveringLaser::Give& give, const StopSignal& stop) {
   TcpLink link(options.host, options.port, options.connect_s, stop);
   ColaClient client(link, options.reply_s, stop);
+  bool must_run = false;
   try {
-    start(client, options, stop);
+    start(client, options, stop, must_run);
     stream(client, give);
-  } catch (const Stopped&) {
-    const StopSignal not_given;
-    ColaClient(link, 0.0, not_given).send("sEN LMDscandata 0");
+  } catch (...) {
+    leave(link, must_run);
     throw;
   }
 }

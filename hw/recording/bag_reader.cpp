@@ -251,7 +251,12 @@ class BagSource final : public ScanSource {
     const auto is = [&](const RosType& known) { return type == known.name && md5 == known.md5; };
     if (is(kLaserScanType) && is_wanted) connection.content = ConnectionContent::kScan;
     if (is(kLaserScanType) && !is_wanted) left_out_.add(connection.source);
-    if (is(kTransformType)) connection.content = ConnectionContent::kTransform;
+    const bool is_old_transform = type == kOldTransformName && md5 == kTransformType.md5;
+    if (is(kTransformType) || is_old_transform) connection.content = ConnectionContent::kTransform;
+    if (connection.content == ConnectionContent::kOther && is_wanted && type &&
+        type->ends_with("LaserScan")) {
+      left_out_.add_unread(std::string(*type) + (*type == kLaserScanType.name ? " with another sum" : ""));
+    }
     if (connection.source == "scan") connection.source.clear();
     connections_.insert_or_assign(id, std::move(connection));
   }

@@ -70,8 +70,11 @@ double carmen_range_m(double reading_m, double no_return_m) {
 }
 
 /// Reads geometry.num_beams readings. The caller has made sure that so many fields are there.
-void read_ranges(FieldReader& fields, double no_return_m, LaserScan& scan) {
-  const double limit_m = std::min(no_return_m, scan.geometry.max_range_m);
+void read_ranges(FieldReader& fields, const CarmenLogOptions& options, LaserScan& scan) {
+  const double own_m = scan.geometry.max_range_m;
+  const bool is_beyond_lms = std::isfinite(own_m) && own_m > kLastLmsCode_m;
+  const double limit_m =
+      std::min(options.no_return_m.value_or(is_beyond_lms ? own_m : kFirstLmsCode_m), own_m);
   scan.geometry.max_range_m = limit_m;
   scan.range_m.resize(static_cast<std::size_t>(scan.geometry.num_beams));
   for (double& range_m : scan.range_m) {
@@ -105,7 +108,7 @@ void read_old(FieldReader& fields, const CarmenLogOptions& options, LaserScan& s
   scan.geometry = guess_carmen_geometry(fields.count("num_readings"));
   need_left(fields, scan.geometry.num_beams);
   if (!fields.ok()) return;
-  read_ranges(fields, options.no_return_m, scan);
+  read_ranges(fields, options, scan);
   if (!is_left(fields, kOldPoses)) fail_count(fields, scan);
   read_pose(fields);  // the laser's, which the log's maker has corrected or not
   scan.X_OR = read_pose(fields);
@@ -146,7 +149,7 @@ void read_new(FieldReader& fields, const MessageFormat& message, const CarmenLog
   scan.geometry = read_geometry(fields);
   need_left(fields, scan.geometry.num_beams);
   if (!fields.ok()) return;
-  read_ranges(fields, options.no_return_m, scan);
+  read_ranges(fields, options, scan);
   if (!fields.ok()) return;
   if (message.format == Format::kRaw) {
     skip_remissions(fields, 0, scan);
@@ -189,7 +192,7 @@ ScanGeometry guess_carmen_geometry(int num_beams) {
 }
 
 void CarmenLogOptions::validate() const {
-  require(no_return_m > 0.0, "log.no_return_m", no_return_m, "> 0");
+  require(!no_return_m || *no_return_m > 0.0, "log.no_return_m", no_return_m.value_or(0.0), "> 0");
   if (only.empty() || find_message(only) != nullptr) return;
   std::string allowed;
   for (const MessageFormat& message : kMessages) allowed += " " + std::string(message.name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,12 +9,17 @@
 
 namespace scanbed::hw {
 
+/// An LMS in centimetres: its readings from the first on are overflow codes, and there is none beyond the
+/// last.
+inline constexpr double kFirstLmsCode_m = 81.83;
+inline constexpr double kLastLmsCode_m = 81.91;
+
 /// How a CARMEN log is read.
 struct CarmenLogOptions {
   std::string only;  ///< read this message alone ("FLASER", "RAWLASER2", ...); empty reads all laser messages
-  /// Readings from here on mean "no return". The LMS's overflow codes start at 8183 steps: 81.83 m in
-  /// centimetres.
-  double no_return_m = 81.83;
+  /// Readings from here on mean "no return". Empty: from the LMS's codes on, but for messages whose own
+  /// maximum range lies beyond these.
+  std::optional<double> no_return_m;
 
   void validate() const;  ///< @throws InputError naming the first field that is not allowed
 };

@@ -5,20 +5,35 @@
 
 namespace scanbed::hw {
 
-void LeftOutSources::add(std::string_view source) {
+namespace {
+
+void add_to(std::set<std::string>& names, std::string_view name) {
   constexpr std::size_t kMostNames = 16;
   constexpr std::size_t kLongestName = 80;
-  if (names_.size() < kMostNames) names_.emplace(source.substr(0, kLongestName));
+  if (names.size() < kMostNames) names.emplace(name.substr(0, kLongestName));
+}
+
+void append_list(std::string& text, std::string_view before, const std::set<std::string>& names) {
+  for (const std::string& name : names) {
+    text.append(before).append(name.empty() ? "a source without name" : name);
+    before = ", ";
+  }
+}
+
+}  // namespace
+
+void LeftOutSources::add(std::string_view source) {
+  add_to(names_, source);
+}
+
+void LeftOutSources::add_unread(std::string_view form) {
+  add_to(unread_, form);
 }
 
 std::string LeftOutSources::text(const std::string& only) const {
-  if (only.empty()) return "";
-  std::string text = " with only=" + only;
-  std::string_view between = "; it has scans of ";
-  for (const std::string& name : names_) {
-    text.append(between).append(name.empty() ? "a source without name" : name);
-    between = ", ";
-  }
+  std::string text = only.empty() ? "" : " with only=" + only;
+  append_list(text, "; it has scans of ", names_);
+  append_list(text, " that can be read, but ", unread_);
   return text;
 }
 

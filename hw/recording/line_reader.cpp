@@ -34,6 +34,9 @@ bool LineReader::next(TextLine& line) {
     if (!take_rest(line)) return false;
     break;
   }
+  if (num_lines_ == 0 && line.text.starts_with(kByteOrderMark)) {
+    line.text.remove_prefix(kByteOrderMark.size());
+  }
   line.number = ++num_lines_;
   line.is_too_long = is_too_long || line.text.size() > kMaxLine;
   line.text = line.text.substr(0, kMaxLine);

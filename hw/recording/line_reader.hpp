@@ -11,6 +11,9 @@
 
 namespace scanbed::hw {
 
+/// What some editors put before a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// A line of a text file.
 struct TextLine {
   std::string_view text;     ///< without its end; valid until the next call of LineReader::next
@@ -19,6 +22,7 @@ struct TextLine {
 };
 
 /// Cuts a stream into lines, in bounded memory. A line ends with LF or CR LF; the last one may lack its end.
+/// A byte order mark is no part of the first.
 class LineReader {
  public:
   static constexpr std::size_t kMaxLine = std::size_t{1} << 20;  ///< bytes without the line's end

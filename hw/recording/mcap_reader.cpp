@@ -18,6 +18,11 @@ constexpr std::size_t kMostMessage = std::size_t{4} << 20;  // JSON takes up to 
 
 enum class ChannelContent { kOther, kScan, kBeams, kFeatures, kTruth };
 
+struct Schema {
+  std::string name;
+  ChannelContent content = ChannelContent::kOther;
+};
+
 struct Channel {
   ChannelContent content = ChannelContent::kOther;
   std::string scan_topic;  // of the scan that it is about, without the leading slash
@@ -221,18 +226,23 @@ class McapSource final : public ScanSource {
     const auto id = cursor.number<std::uint16_t>();
     const std::string_view schema = cursor.piece();
     if (!cursor.ok()) throw InputError("malformed schema");
-    schemas_.insert_or_assign(id, content_of(schema));
+    schemas_.insert_or_assign(id, Schema{std::string(schema), content_of(schema)});
   }
 
   void add_channel(std::string_view content) {
     ByteCursor cursor(content);
     const auto id = cursor.number<std::uint16_t>();
-    const auto schema = schemas_.find(cursor.number<std::uint16_t>());
+    const auto found = schemas_.find(cursor.number<std::uint16_t>());
+    const Schema schema = found == schemas_.end() ? Schema() : found->second;
     const std::string_view topic = cursor.piece();
     const std::string_view encoding = cursor.piece();
     if (!cursor.ok()) throw InputError("malformed channel");
     Channel channel;
-    if (schema != schemas_.end() && encoding == "json") channel.content = schema->second;
+    if (encoding == "json") channel.content = schema.content;
+    if (channel.content == ChannelContent::kOther && schema.name.ends_with("LaserScan")) {
+      left_out_.add_unread(schema.name + " in " + std::string(encoding) +
+                           " (read: foxglove.LaserScan in json)");
+    }
     channel.scan_topic = scan_topic_of(topic, channel.content);
     if (!only_.empty() && channel.scan_topic != only_) {
       if (channel.content == ChannelContent::kScan) left_out_.add(channel.scan_topic);
@@ -290,7 +300,7 @@ class McapSource final : public ScanSource {
   std::string name_;
   std::string only_;
   DamageReport report_;
-  std::map<std::uint16_t, ChannelContent> schemas_;
+  std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, Channel> channels_;
 
   std::uint64_t record_at_ = 0;  // where the record of the file begins, for messages

@@ -25,10 +25,13 @@
 namespace scanbed::hw {
 namespace {
 
+/// Of a file: long comments may stand before what tells its format.
+constexpr std::size_t kMostHead = std::size_t{1} << 16;
+
 /// What the head of a packed file unpacks to, or the head itself.
 std::string unpacked_head(const std::string& head) {
   const std::unique_ptr<ByteStream> stream = unpack(from_memory(head));
-  std::string unpacked(std::size_t{1} << 16, '\0');
+  std::string unpacked(kMostHead, '\0');
   unpacked.resize(stream->read(unpacked));
   return unpacked;
 }
@@ -38,10 +41,9 @@ std::string unpacked_head(const std::string& head) {
 class PeekedBytes final : public ByteStream {
  public:
   explicit PeekedBytes(std::unique_ptr<ByteStream> source) : source_(std::move(source)) {
-    constexpr std::size_t kHead = 4096;
-    std::string piece(kHead, '\0');
-    while (!format_ && head_.size() < kHead) {
-      const std::size_t num_read = source_->read(std::span(piece).first(kHead - head_.size()));
+    std::string piece(kMostHead, '\0');
+    while (!format_ && head_.size() < kMostHead) {
+      const std::size_t num_read = source_->read(std::span(piece).first(kMostHead - head_.size()));
       if (num_read == 0) break;
       head_.append(piece, 0, num_read);
       format_ = format_of_content(unpacked_head(head_));
@@ -75,7 +77,7 @@ class PeekedBytes final : public ByteStream {
 }  // namespace
 
 void RecordingOptions::validate() const {
-  require(no_return_m > 0.0, "log.no_return_m", no_return_m, "> 0");
+  require(!no_return_m || *no_return_m > 0.0, "log.no_return_m", no_return_m.value_or(0.0), "> 0");
 }
 
 std::unique_ptr<ScanReader> open_recording(const std::filesystem::path& path, const RecordingOptions& options,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hw/recording/byte_stream.hpp"
@@ -14,7 +15,7 @@ namespace scanbed::hw {
 /// How a recording is read.
 struct RecordingOptions {
   std::string only;  ///< read this message (CARMEN), topic (bag, MCAP) or device (Player) alone; empty: all
-  double no_return_m = 81.83;  ///< CARMEN logs: readings from here on mean "no return"
+  std::optional<double> no_return_m;  ///< CARMEN logs: readings from here on mean "no return"
 
   void validate() const;  ///< @throws InputError naming the first field that is not allowed
 };

@@ -2,12 +2,14 @@
 #include "hw/recording/recording_format.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 
 #include "hw/recording/bag_reader.hpp"
 #include "hw/recording/field_reader.hpp"
 #include "hw/recording/json_lines.hpp"
-#include "hw/recording/mcap_reader.hpp"
+#include "hw/recording/line_reader.hpp"
+#include "hw/recording/mcap_record.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -35,14 +37,24 @@ bool is_json_lines(std::string_view head) {
   return line.starts_with('{') && line.find(kJsonLinesFormat) != std::string_view::npos;
 }
 
-bool is_player(std::string_view head) {
-  while (!head.empty()) {
-    const std::size_t end = std::min(head.find('\n'), head.size());
+/// "FLASER 361 ...": names of messages are in capitals.
+bool is_carmen_line(std::string_view line) {
+  const std::string_view name = FieldReader(line).word();
+  return !name.empty() && std::isupper(static_cast<unsigned char>(name.front())) != 0 &&
+         is_number(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+}
+
+/// By the first line that is whole and neither empty nor a comment.
+std::optional<RecordingFormat> format_of_lines(std::string_view head) {
+  for (std::size_t end = head.find('\n'); end != std::string_view::npos; end = head.find('\n')) {
     const std::string_view line = head.substr(0, end);
-    if (!line.empty() && line != "\r" && line.front() != '#') return is_player_line(line);
-    head.remove_prefix(std::min(end + 1, head.size()));
+    head.remove_prefix(end + 1);
+    if (line.empty() || line == "\r" || line.front() == '#') continue;
+    if (is_player_line(line)) return RecordingFormat::kPlayer;
+    if (is_carmen_line(line)) return RecordingFormat::kCarmen;
+    break;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -69,9 +81,9 @@ bool is_packed_name(const std::filesystem::path& path) {
 std::optional<RecordingFormat> format_of_content(std::string_view head) {
   if (head.starts_with(kBagMagic)) return RecordingFormat::kBag;
   if (head.starts_with(kMcapMagic)) return RecordingFormat::kMcap;
+  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   if (is_json_lines(head)) return RecordingFormat::kJsonLines;
-  if (is_player(head)) return RecordingFormat::kPlayer;
-  return std::nullopt;
+  return format_of_lines(head);
 }
 
 }  // namespace scanbed::hw

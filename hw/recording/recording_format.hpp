@@ -17,8 +17,8 @@ std::optional<RecordingFormat> format_of_name(const std::filesystem::path& path)
 /// Whether the name ends in .gz.
 bool is_packed_name(const std::filesystem::path& path);
 
-/// The format that a recording's first bytes, unpacked, show; nothing where they show none. A CARMEN log has
-/// no mark of its own.
+/// The format that a recording's first bytes, unpacked, show; nothing where they show none. Logs of text show
+/// theirs by the first line that is no comment.
 std::optional<RecordingFormat> format_of_content(std::string_view head);
 
 }  // namespace scanbed::hw

@@ -177,9 +177,11 @@ std::optional<Pose2> decode_odometry(std::string_view bytes) {
   for (std::uint32_t i = 0; i < num_transforms && cursor.ok(); ++i) {
     std::string_view parent;
     read_header(cursor, parent);
-    const std::string_view child = cursor.piece();
+    std::string_view child = cursor.piece();
     const Pose2 pose = read_transform(cursor);
-    if (parent.starts_with('/')) parent.remove_prefix(1);
+    for (std::string_view* frame : {&parent, &child}) {
+      if (frame->starts_with('/')) frame->remove_prefix(1);
+    }
     const bool is_odometry = parent == "odom" && (child == "base_link" || child == "base_footprint");
     if (is_odometry && pose.p_m.allFinite() && std::isfinite(pose.theta_rad)) found = pose;
   }

@@ -17,8 +17,9 @@ struct RosType {
   std::string_view md5;
   std::string_view definition;
 };
-extern const RosType kLaserScanType;  ///< sensor_msgs/LaserScan
-extern const RosType kTransformType;  ///< tf2_msgs/TFMessage
+extern const RosType kLaserScanType;                                   ///< sensor_msgs/LaserScan
+extern const RosType kTransformType;                                   ///< tf2_msgs/TFMessage
+inline constexpr std::string_view kOldTransformName = "tf/tfMessage";  ///< the same message, as it was called
 
 // LaserScan holds float32: ranges in decimal steps (millimetres, centimetres) and evenly divided angles come
 // back to the bit (see even_angles.hpp), others to 7 digits. It has one time step between beams, so that the

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kSyncTries = 4;
 constexpr int kMostDamaged = 5;
+constexpr double kLeave_s = 0.15;       // for an answer: whoever stops does not want to wait
 constexpr double kBaudPause_s = 0.15;   // that a sensor takes to change it
 constexpr std::size_t kHeadLines = 3;   // echo, status, time
 constexpr std::size_t kEchoChars = 13;  // of an MD command, without the number of scans, which counts down
@@ -73,6 +74,17 @@ void stream(ScipClient& client, const ScipParameters& parameters, const Recoveri
   throw SensorFault(SensorFault::Kind::kProtocol, "nothing but damaged scans");
 }
 
+/// Leaves the sensor quiet, as far as it still listens. Waits for its answer, since what is closed at once
+/// may never be read.
+void leave(ByteLink& link) noexcept {
+  try {
+    const StopSignal not_given;
+    ScipClient(link, kLeave_s, not_given).ask("QT");
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 void attempt(const ScipOptions& options, const RecoveringLaser::Give& give, const StopSignal& stop) {
   const std::unique_ptr<ByteLink> link = open_link(options, stop);
   ScipClient client(*link, options.reply_s, stop);
@@ -80,9 +92,8 @@ void attempt(const ScipOptions& options, const RecoveringLaser::Give& give, cons
     const int found_baud = find_sensor(options, client);
     if (found_baud != options.baud) client.change_baud(found_baud, options.baud);
     stream(client, read_parameters(options, client), give);
-  } catch (const Stopped&) {
-    const StopSignal not_given;
-    ScipClient(*link, 0.0, not_given).send("QT");
+  } catch (...) {
+    leave(*link);
     throw;
   }
 }
@@ -200,9 +211,14 @@ bool ScipScans::read_ranges(const std::string& data, LaserScan& scan) const {
   return true;
 }
 
-ScipScans::Outcome ScipScans::take(const std::vector<std::string>& lines, double sent_s, LaserScan& scan) {
-  if (lines.size() < 2 || lines[0].substr(0, kEchoChars) != command().substr(0, kEchoChars))
-    return Outcome::kOther;
+ScipScans::Outcome ScipScans::take(const std::vector<std::string>& message, double sent_s, LaserScan& scan) {
+  if (message.empty()) return Outcome::kOther;
+  const std::string echo = command().substr(0, kEchoChars);
+  // The end of a message cut off may stand before the echo.
+  const auto begin = std::find_if(message.begin(), message.end(),
+                                  [&](const std::string& line) { return line.starts_with(echo); });
+  if (begin == message.end()) return Outcome::kDamaged;
+  const std::vector<std::string> lines(begin, message.end());
   const std::string status = scip_status(lines);
   if (status == "00") return Outcome::kOther;
   if (status.empty()) return Outcome::kDamaged;

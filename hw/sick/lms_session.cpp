@@ -181,16 +181,13 @@ void end_stream(ByteLink& port, int baud, double answer_s) noexcept {
   try {
     const StopSignal not_given;
     LmsLink link(port, {.ack_s = answer_s, .reply_s = answer_s}, not_given);
-    const LmsLink::Ask once{.num_tries = 1};
-    try {
-      link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, once);
-    } catch (const SensorFault&) {
-      // A sensor that does not listen any more: the next driver stops its stream.
-    }
-    if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, once);
+    const LmsLink::Ask twice{.num_tries = 2};
+    link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, twice);
+    if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, twice);
   } catch (const Stopped&) {
     return;
   } catch (const std::exception&) {
+    // A sensor that does not listen keeps its baud: the next driver looks for it there, and stops its stream.
     return;
   }
 }

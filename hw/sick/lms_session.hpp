@@ -38,8 +38,8 @@ void change_baud(LmsLink& link, int baud);
 /// @throws DeviceRefusal saying what the sensor does not take; SensorFault as ask() does.
 LmsConfiguration start_stream(LmsLink& link, const LmsIdentity& identity, const SickOptions& options);
 
-/// Stops the stream and, where `baud` is not 0, goes back to it. Waits at most `answer_s` for either, whether
-/// the sensor listens or not. @throws nothing.
+/// Stops the stream and then, where `baud` is not 0, goes back to it. Asks twice for either, and waits at
+/// most `answer_s` each time, whether the sensor listens or not. @throws nothing.
 void end_stream(ByteLink& port, int baud, double answer_s) noexcept;
 
 }  // namespace scanbed::hw

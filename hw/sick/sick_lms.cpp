@@ -45,7 +45,7 @@ struct SickLms::Impl {
   void work();
   bool try_again(const SensorFault& fault);
   void attempt();
-  void leave(SerialPort& port) const;
+  void leave(SerialPort& port, double answer_s) const;
   void open_and_stream(SerialPort& port);
   void stream(LmsLink& link, const LmsConfiguration& configuration);
   bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
@@ -67,6 +67,7 @@ struct SickLms::Impl {
   bool was_port_good = false;          // a port that never was there is a wrong name
   std::optional<double> first_sign_s;  // when the sensor first answered
   int num_failures = 0;
+  bool gives_up = false;
   int first_found_baud = 0;
   int last_good_baud;
   DecoderCounts seen;  // what this link's decoder had counted when it was last asked
@@ -132,7 +133,7 @@ void SickLms::Impl::work() {
     } catch (const DeviceRefusal&) {
       return give_up(std::current_exception());
     } catch (const SensorFault& fault) {
-      if (!try_again(fault)) return give_up(std::make_exception_ptr(final_fault(options.path, fault)));
+      if (gives_up) return give_up(std::make_exception_ptr(final_fault(options.path, fault)));
     } catch (const std::exception&) {
       return give_up(std::current_exception());
     }
@@ -146,23 +147,27 @@ void SickLms::Impl::work() {
 
 void SickLms::Impl::attempt() {
   enter("opening");
-  SerialPort port(options.path);
-  was_port_good = true;
+  std::optional<SerialPort> port;
   try {
-    open_and_stream(port);
+    port.emplace(options.path);
+    was_port_good = true;
+    open_and_stream(*port);
   } catch (const Stopped&) {
-    leave(port);
+    leave(*port, options.patience.close_s);
     throw;
   } catch (const DeviceRefusal&) {
-    leave(port);
+    leave(*port, options.patience.ack_s);
+    throw;
+  } catch (const SensorFault& fault) {
+    gives_up = !try_again(fault);
+    if (gives_up && port) leave(*port, options.patience.ack_s);
     throw;
   }
 }
 
 /// Leaves the sensor quiet, and at the baud that it was found at.
-void SickLms::Impl::leave(SerialPort& port) const {
-  end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0,
-             options.patience.close_s);
+void SickLms::Impl::leave(SerialPort& port, double answer_s) const {
+  end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0, answer_s);
 }
 
 void SickLms::Impl::open_and_stream(SerialPort& port) {

@@ -19,7 +19,7 @@ struct SickPatience {
   double settle_s = 0.3;   ///< after a change of baud
   double silence_s = 1.0;  ///< without a good telegram in the stream, beside its time on the wire
   double pause_s = 0.5;    ///< between two attempts to get the sensor back
-  double close_s = 0.07;   ///< for each of the two answers while the driver stops
+  double close_s = 0.07;   ///< for an answer while the driver stops
   double boot_s = 60.0;    ///< before the first scan, from the sensor's first sign: it may be starting anew
   int num_first_attempts =
       3;  ///< before the sensor's first sign; after the first scan there is no end of them

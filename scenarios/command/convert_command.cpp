@@ -58,8 +58,8 @@ Usage convert_usage() {
       {"FILES", "", "What to read, with options as behind log:, and what to write", files.get(), true, 2}};
   usage.footer =
       R"(Formats, by ending: .jsonl (keeps everything), .mcap, .bag (ROS 1), .log .clf (CARMEN), .player .plog;
-.gz behind a text format packs it. Reading goes by content. A recording that is cut off or damaged becomes a whole
-one of the scans up to there; the exit code is 2 then.
+.gz behind a text format packs it. Reading goes by content. Lines and records that are damaged are told of and left out. A
+recording that cannot be read to its end becomes a whole one of the scans up to there; the exit code is 2 then.
 Examples:
   scanbed convert hall.log hall.mcap
   scanbed convert 'walk.bag?only=/scan&from=2&to=10' walk.jsonl.gz

@@ -143,6 +143,49 @@ class RefusingCola final : public ByteDevice {
   Bytes refusal_;
 };
 
+/// An emulated sensor that never hears one request, and lists all.
+class DeafCola final : public ByteDevice {
+ public:
+  DeafCola(ByteDevice& sensor, std::string request) : sensor_(sensor), request_(std::move(request)) {}
+
+  void receive(ByteView bytes, double now_s) override {
+    reader_.feed(bytes);
+    for (std::string body; reader_.next(body);) {
+      requests.push_back(body);
+      if (!body.starts_with(request_)) sensor_.receive(frame_cola(body), now_s);
+    }
+  }
+  void run(double now_s, Bytes& out) override { sensor_.run(now_s, out); }
+  double next_event_s() const override { return sensor_.next_event_s(); }
+  void hang_up() override { sensor_.hang_up(); }
+
+  std::vector<std::string> requests;
+
+ private:
+  ByteDevice& sensor_;
+  std::string request_;
+  ColaReader reader_;
+};
+
+// While somebody is logged in, an LMS sends nothing to anybody.
+TEST(ColaLaserTest, LogsOutAlsoWhereItGivesUp) {
+  WideSensor source;
+  EmulatedCola emulated({}, source);
+  DeafCola sensor(emulated, "sMN LMCstartmeas");
+  {
+    RunningDevice running(sensor);
+    ColaOptions options = network(running.port());
+    options.reply_s = 0.1;
+    options.recovery.num_first_attempts = 1;
+    const auto laser = open_cola(options);
+    LaserScan scan;
+    EXPECT_THROW(laser->next(scan, kPatience), SensorFault);
+  }
+  ASSERT_GE(sensor.requests.size(), 2U);
+  EXPECT_EQ(sensor.requests[sensor.requests.size() - 2], "sMN Run");
+  EXPECT_EQ(sensor.requests.back(), "sEN LMDscandata 0");
+}
+
 TEST(ColaLaserTest, AsksABusySensorAgain) {
   for (const char* request : {"sMN SetAccessMode", "sRN STlms", "sEN LMDscandata 1"}) {
     WideSensor source;

@@ -185,6 +185,22 @@ TEST(CarmenMessageTest, TheNoReturnLimitCanBeSet) {
   EXPECT_EQ(range_of("100", {.only = "", .no_return_m = 200.0}), 100.0);
 }
 
+// The LMS's codes end at 81.91 m: who can measure farther has none of them.
+TEST(CarmenMessageTest, AMaximumRangeBeyondTheLmsCodesIsWhatCounts) {
+  const auto first_range_m = [](const std::string& max_range, const CarmenLogOptions& options = {}) {
+    LaserScan scan;
+    const CarmenLine line =
+        parse_carmen_line("RAWLASER1 0 -0.5 1 0.5 " + max_range + " 0.01 0 3 90 81.85 7 0", options, scan);
+    EXPECT_EQ(line.kind, CarmenLine::Kind::kScan) << line.damage;
+    return scan.range_m.at(0);
+  };
+  EXPECT_EQ(first_range_m("200"), 90.0);
+  EXPECT_EQ(first_range_m("90"), kNoEcho);
+  EXPECT_EQ(first_range_m("81.9"), kNoEcho);
+  EXPECT_EQ(first_range_m("0"), kNoEcho);
+  EXPECT_EQ(first_range_m("200", {.only = "", .no_return_m = 81.83}), kNoEcho);
+}
+
 TEST(CarmenMessageTest, AMaximumRangeOfZeroOrInfinityIsNone) {
   for (const char* range : {" 0 0.01", " inf 0.01", " nan 0.01", " -1 0.01"}) {
     std::string line = kRawLaser;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <sstream>
 
 #include "tests/hw/recording/made_recording.hpp"
@@ -57,6 +59,34 @@ TEST(CarmenWriterTest, ARangeAtTheLimitIsStillARange) {
   const Reading reading = read_all(recorded("x.log", {scan}), "x.log");
   ASSERT_EQ(reading.scans.size(), 1U);
   EXPECT_EQ(reading.scans[0].range_m[0], 8.0);
+}
+
+TEST(CarmenWriterTest, FarRangesComeBack) {
+  for (const double max_range_m : {81.9, 200.0, HUGE_VAL}) {
+    LaserScan scan = three_beams();
+    scan.geometry.max_range_m = max_range_m;
+    scan.range_m = {81.85, kNoEcho, max_range_m > 100.0 ? 150.0 : 3.0};
+    const Reading reading = read_all(recorded("x.log", {scan}), "x.log");
+    ASSERT_EQ(reading.scans.size(), 1U);
+    EXPECT_EQ(reading.scans[0].range_m, scan.range_m) << max_range_m;
+  }
+}
+
+TEST(CarmenWriterTest, LasersAreToldApart) {
+  std::vector<LaserScan> scans(6, three_beams());
+  for (std::size_t i = 0; i < 3; ++i) scans[i].source = std::array{"front", "rear", "front"}[i];
+  scans[3].source = "RAWLASER4";
+  for (std::size_t i = 4; i < 6; ++i) {
+    scans[i].source = std::array{"front", "ROBOTLASER1"}[i - 4];
+    scans[i].X_OR = Pose2{};
+  }
+  std::vector<std::string> found;
+  for (const LaserScan& scan : read_all(recorded("x.log", scans), "x.log").scans)
+    found.push_back(scan.source);
+  EXPECT_EQ(found, (std::vector<std::string>{"RAWLASER1", "RAWLASER2", "RAWLASER1", "RAWLASER4",
+                                             "ROBOTLASER1", "ROBOTLASER2"}));
+  for (int i = 0; i < 5; ++i) scans[i].source = "laser" + std::to_string(i), scans[i].X_OR.reset();
+  EXPECT_THROW(recorded("x.log", scans), InputError);
 }
 
 TEST(CarmenWriterTest, RecordedLogsComeBackAsTheyWere) {

@@ -14,6 +14,12 @@ TEST(LeftOutSourcesTest, NamesTheFilterAndWhatThereIsInstead) {
   EXPECT_EQ(sources.text("c"), " with only=c; it has scans of a source without name, a, b");
 }
 
+TEST(LeftOutSourcesTest, NamesWhatCannotBeRead) {
+  LeftOutSources sources;
+  sources.add_unread("x/LaserScan in ros1");
+  EXPECT_EQ(sources.text(""), " that can be read, but x/LaserScan in ros1");
+}
+
 TEST(LeftOutSourcesTest, StaysAMessageWhateverTheNames) {
   LeftOutSources sources;
   for (int i = 0; i < 1000; ++i) sources.add(std::to_string(i) + std::string(10'000, 'x'));

@@ -36,6 +36,11 @@ TEST(LineReaderTest, TheLastLineMayLackItsEnd) {
   EXPECT_EQ(lines_of("one\r"), (Lines{"one"}));
 }
 
+TEST(LineReaderTest, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  EXPECT_EQ(lines_of("\xEF\xBB\xBFone\n\xEF\xBB\xBFtwo\n"), (Lines{"one", "\xEF\xBB\xBFtwo"}));
+  EXPECT_EQ(lines_of("\xEF\xBB\xBF"), (Lines{""}));
+}
+
 TEST(LineReaderTest, NothingHoldsNoLine) {
   EXPECT_EQ(lines_of(""), Lines{});
   EXPECT_EQ(lines_of("\n"), Lines{""});

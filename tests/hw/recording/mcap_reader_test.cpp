@@ -25,12 +25,13 @@ std::string schema(std::uint16_t id, std::string_view name) {
   return record(McapOp::kSchema, content);
 }
 
-std::string channel(std::uint16_t id, std::uint16_t schema_id, std::string_view topic) {
+std::string channel(std::uint16_t id, std::uint16_t schema_id, std::string_view topic,
+                    std::string_view encoding = "json") {
   std::string content;
   append_number(content, id);
   append_number(content, schema_id);
   append_mcap_text(content, topic);
-  append_mcap_text(content, "json");
+  append_mcap_text(content, encoding);
   append_mcap_map(content, {});
   return record(McapOp::kChannel, content);
 }
@@ -81,6 +82,16 @@ TEST(McapReaderTest, SkipsRecordsAndChannelsItDoesNotKnow) {
   EXPECT_EQ(reading.scans.size(), 1U);
   EXPECT_EQ(reading.counts.num_other_lines, 1);
   EXPECT_TRUE(reading.reports.empty());
+}
+
+TEST(McapReaderTest, SaysWhichScansItDoesNotRead) {
+  const std::string ros =
+      file(schema(1, "sensor_msgs/LaserScan") + channel(1, 1, "/scan", "ros1") + message(1, "x"));
+  EXPECT_NE(read_all(ros, "x.mcap")
+                .error.find("holds no scan that can be read, but sensor_msgs/LaserScan in ros1 "
+                            "(read: foxglove.LaserScan in json)"),
+            std::string::npos)
+      << read_all(ros, "x.mcap").error;
 }
 
 TEST(McapReaderTest, ADamagedChunkIsReportedAndSkipped) {

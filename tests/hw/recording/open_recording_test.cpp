@@ -166,6 +166,16 @@ TEST(OpenRecordingTest, MetadataComesBackWhereTheFormatHasIt) {
   }
 }
 
+// Metadata stands before the first scan, and may be long.
+TEST(OpenRecordingTest, LongCommentsDoNotHideAFormat) {
+  std::string text;
+  for (int i = 0; i < 400; ++i) text += "a line of a scenario file\n";
+  for (const char* name : {"x.player", "x.log"}) {
+    const Reading reading = read_all(recorded(name, made_scans(2), {{"configuration", text}}), "no_ending");
+    EXPECT_EQ(reading.scans.size(), 2U) << name << ": " << reading.error;
+  }
+}
+
 TEST(OpenRecordingTest, RefusesNamesOfNoFormat) {
   const TemporaryFolder folder;
   EXPECT_THROW(create_recording(folder / "x.txt", {}), InputError);

@@ -27,10 +27,15 @@ TEST(RecordingFormatTest, ContentTellsTheFormat) {
   EXPECT_EQ(format_of_content(R"({"format":"scanbed.recording","version":1)"), RecordingFormat::kJsonLines);
   EXPECT_EQ(format_of_content(R"( { "version": 1, "format" : "scanbed.recording")"),
             RecordingFormat::kJsonLines);
-  EXPECT_EQ(format_of_content("# x\n\n0000001000.000 16777343 6665 laser 00 004 001 0"),
+  EXPECT_EQ(format_of_content("# x\n\n0000001000.000 16777343 6665 laser 00 004 001 0\n"),
             RecordingFormat::kPlayer);
-  for (const char* text : {"", "#", "# a\n# b\n", "FLASER 3 1 2 3 0 0 0 0 0 0 1 h 1\n",
-                           "PARAM a b nohost 0\n", "{}", "1.0 1 1 laser x 1 1\n", "1 2 3\n"}) {
+  EXPECT_EQ(format_of_content("# x\r\nFLASER 3 1 2 3 0 0 0 0 0 0 1 h 1\r\n"), RecordingFormat::kCarmen);
+  EXPECT_EQ(format_of_content("PARAM a b nohost 0\n1.0"), RecordingFormat::kCarmen);
+  EXPECT_EQ(format_of_content("\xEF\xBB\xBFSYNC x\n"), RecordingFormat::kCarmen);
+  EXPECT_EQ(format_of_content("\xEF\xBB\xBF{\"format\":\"scanbed.recording\""), RecordingFormat::kJsonLines);
+  for (const char* text :
+       {"", "#", "# a\n# b\n", "FLASER 3 1 2", "0000001000.000 16777343 6665 laser 00 004 001", "{}",
+        "1.0 1 1 laser x 1 1\n", "1 2 3\n", "Dear Sir\n"}) {
     EXPECT_FALSE(format_of_content(text).has_value()) << text;
   }
 }

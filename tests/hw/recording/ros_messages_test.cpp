@@ -58,8 +58,19 @@ TEST(RosMessagesTest, OdometryComesBack) {
   EXPECT_NEAR(pose->theta_rad, -3.0, 1e-15);
 }
 
+// "odom" and "base_link" as "/odom" and "/base_link"; lengths stand before them.
+std::string with_slashes(std::string message) {
+  for (const std::string frame : {"odom", "base_link"}) {
+    const std::size_t at = message.find(frame);
+    ++message[at - 4];
+    message.insert(at, "/");
+  }
+  return message;
+}
+
 TEST(RosMessagesTest, OtherTransformsAreNoOdometry) {
   std::string message = encode_odometry({{1.0, 2.0}, 0.0}, 7.0);
+  EXPECT_TRUE(decode_odometry(with_slashes(message)).has_value());  // as older versions of ROS name frames
   message[message.find("odom")] = 'x';
   EXPECT_FALSE(decode_odometry(message).has_value());
   EXPECT_FALSE(decode_odometry("").has_value());

@@ -112,6 +112,66 @@ TEST(ScipLaserTest, FindsASensorThatStillStreamsAtASerialPort) {
   thread.join();
 }
 
+/// An emulated sensor that puts something before the echo of each scan.
+class GarblingScip final : public ByteDevice {
+ public:
+  GarblingScip(ByteDevice& sensor, std::string garbage) : sensor_(sensor), garbage_(std::move(garbage)) {}
+
+  void receive(ByteView bytes, double now_s) override {
+    last_request.assign(bytes.begin(), bytes.end());
+    sensor_.receive(bytes, now_s);
+  }
+  void run(double now_s, Bytes& out) override {
+    Bytes bytes;
+    sensor_.run(now_s, bytes);
+    std::string text(bytes.begin(), bytes.end());
+    for (std::size_t at = text.find("MD"); at != std::string::npos;
+         at = text.find("MD", at + garbage_.size() + 2)) {
+      // The echo of the command itself is left alone.
+      if (text.compare(at + 15, 4, "\n99b") == 0) text.insert(at, garbage_);
+    }
+    out.insert(out.end(), text.begin(), text.end());
+  }
+  double next_event_s() const override { return sensor_.next_event_s(); }
+  void hang_up() override { sensor_.hang_up(); }
+
+  std::string last_request;
+
+ private:
+  ByteDevice& sensor_;
+  std::string garbage_;
+};
+
+TEST(ScipLaserTest, GivesUpWhereNoEchoIsRightAndStopsTheSensor) {
+  WideSensor source;
+  EmulatedScip emulated({.is_paced = false}, source);
+  GarblingScip sensor(emulated, "zz");
+  {
+    RunningDevice running(sensor);
+    ScipOptions options = network(running.port());
+    options.recovery.num_first_attempts = 1;
+    const auto laser = open_scip(options);
+    LaserScan scan;
+    try {
+      laser->next(scan, kPatience);
+      ADD_FAILURE() << "a scan";
+    } catch (const SensorFault& fault) {
+      EXPECT_NE(std::string(fault.what()).find("nothing but damaged scans"), std::string::npos)
+          << fault.what();
+    }
+  }
+  EXPECT_EQ(sensor.last_request, "QT\n");
+}
+
+TEST(ScipLaserTest, KeepsTheScanBehindALineOfGarbage) {
+  WideSensor source;
+  EmulatedScip emulated({.is_paced = false}, source);
+  GarblingScip sensor(emulated, "zz\n");
+  RunningDevice running(sensor);
+  const auto laser = open_scip(network(running.port()));
+  expect_true_scans(*laser, 5, 1081);
+}
+
 TEST(ScipLaserTest, SaysThatNothingIsThere) {
   int port = 0;
   {
@@ -263,7 +323,8 @@ TEST(ScipScansTest, TellsDamageFromFaults) {
   using Outcome = ScipScans::Outcome;
   const std::string echo = "MD0000000101000";
   EXPECT_EQ(scans.take({echo, "00P"}, 0.0, scan), Outcome::kOther);
-  EXPECT_EQ(scans.take({"GD", "99b"}, 0.0, scan), Outcome::kOther);
+  EXPECT_EQ(scans.take({"GD", "99b"}, 0.0, scan), Outcome::kDamaged);
+  EXPECT_EQ(scans.take({"zz" + echo, "99b"}, 0.0, scan), Outcome::kDamaged);
   EXPECT_EQ(scans.take({}, 0.0, scan), Outcome::kOther);
   EXPECT_EQ(scans.take({echo, "99c", "00?Xg", "0?XG"}, 0.0, scan), Outcome::kDamaged);
   EXPECT_EQ(scans.take({echo, "99b"}, 0.0, scan), Outcome::kDamaged);

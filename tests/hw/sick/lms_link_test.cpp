@@ -3,44 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "hw/sick/scan_telegram.hpp"
 #include "tests/support/hex.hpp"
 #include "tests/support/least_time.hpp"
+#include "tests/support/scripted_port.hpp"
 
 namespace scanbed::hw {
 namespace {
 
 using tests::from_hex;
-
-/// Answers the n-th request with the n-th script line, and records what was asked.
-class ScriptedPort final : public ByteLink {
- public:
-  std::deque<Bytes> answers;
-  std::vector<Bytes> requests;
-
-  std::size_t read(std::span<std::uint8_t> buffer, double timeout_s, const StopSignal& stop) override {
-    if (waiting_.empty()) {
-      stop.sleep(timeout_s);
-      return 0;
-    }
-    const std::size_t count = std::min(buffer.size(), waiting_.size());
-    std::copy_n(waiting_.begin(), count, buffer.begin());
-    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
-    return count;
-  }
-  void write(ByteView bytes, const StopSignal& /*stop*/) override {
-    requests.emplace_back(bytes.begin(), bytes.end());
-    if (answers.empty()) return;
-    waiting_.insert(waiting_.end(), answers.front().begin(), answers.front().end());
-    answers.pop_front();
-  }
-  void flush_input() override { waiting_.clear(); }
-
- private:
-  Bytes waiting_;
-};
+using tests::ScriptedPort;
 
 class LmsLinkTest : public ::testing::Test {
  protected:

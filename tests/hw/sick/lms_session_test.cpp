@@ -5,8 +5,10 @@
 
 #include "hw/serial/serial_port.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "tests/support/hex.hpp"
 #include "tests/support/least_time.hpp"
 #include "tests/support/running_emulator.hpp"
+#include "tests/support/scripted_port.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -96,6 +98,23 @@ TEST(LmsSessionTest, PassesOverBaudsThatThePortCannotDo) {
   } catch (const SensorFault& fault) {
     EXPECT_EQ(fault.kind(), SensorFault::Kind::kTimeout) << fault.what();
   }
+}
+
+TEST(LmsSessionTest, AsksASensorThatDidNotHearOnceMoreToStop) {
+  const Bytes done = tests::from_hex("06 02 80 03 00 A0 00 10 16 0A");
+  tests::ScriptedPort port;
+  port.answers = {{kNotAcknowledge}, done, {}, done};
+  end_stream(port, 9600, 0.05);
+  ASSERT_EQ(port.requests.size(), 4U);
+  EXPECT_EQ(port.requests[0], tests::from_hex("02 00 02 00 20 25 35 08"));
+  EXPECT_EQ(port.requests[1], port.requests[0]);
+  EXPECT_EQ(port.requests[3], port.requests[2]);
+}
+
+TEST(LmsSessionTest, LeavesItsBaudToASensorThatDoesNotStop) {
+  tests::ScriptedPort port;
+  end_stream(port, 9600, 0.01);
+  EXPECT_EQ(port.requests.size(), 2U);
 }
 
 TEST(LmsSessionTest, EndsSoonWhereNobodyListens) {
