@@ -103,11 +103,12 @@ Usage emulate_usage() {
   };
   usage.footer =
       R"(Prints the port, then serves it. With each scan the world goes on by the scenario's own scan period,
-whatever the link takes for it, and begins anew where the scenario ends.
+whatever the link takes for it, and begins anew where the scenario ends. Where speeds matter, let both be the same:
+at 500000 baud the sensor sends every scan.
 Faults: garbage, half, flip, blind_pair, nak, miss, refuse, silence, reboot, unplug, pollution.
 Examples:
-  scanbed emulate static_hallway --link /tmp/lms --truth truth.jsonl
-  scanbed run static_hallway --laser sick:/tmp/lms --truth truth.jsonl
+  scanbed emulate static_hallway --link /tmp/lms --truth truth.jsonl --set sensor.link=rs422_500k
+  scanbed run static_hallway --laser 'sick:/tmp/lms?baud=500000' --truth truth.jsonl --set sensor.link=rs422_500k
   scanbed emulate static_hallway --link /tmp/lms --fault flip@3 --fault reboot@10)";
   usage.command = [texts] { return to_emulate(*texts); };
   return usage;

@@ -34,7 +34,9 @@ void watch_signals() {
   struct sigaction on_hangup {};
   sigaction(SIGHUP, nullptr, &on_hangup);
   if (on_hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &on_interrupt, nullptr);
+  // Who writes to a pipe without reader, or more than a limit allows, gets an error instead.
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
 }
 
 int interrupting_signal() {

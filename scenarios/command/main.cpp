@@ -6,10 +6,12 @@
 #include "scenarios/command/command_line.hpp"
 #include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
+#include "scenarios/command/standard_streams.hpp"
 
 int main(int argc, char** argv) {
   using namespace scanbed;
   using namespace scanbed::scenarios;
+  keep_standard_streams();
   try {
     watch_signals();
     const ExitCode code =

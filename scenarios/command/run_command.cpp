@@ -140,6 +140,12 @@ void warn_of_collisions(const RunResult& result) {
                           num_more == 0 ? "" : fmt::format("; {} more in --json", num_more)));
 }
 
+// Whoever waits for gates should know that there was nothing to hold against them.
+void warn_of_missing_truth(const RunResult& result, const Scenario& scenario) {
+  if (result.scores || scenario.needs.empty()) return;
+  log_warning(result.scenario + ": not scored: this laser brings no truth, so no gate was measured");
+}
+
 // Tells of each run as it ends, and of all of them.
 class Reporter {
  public:
@@ -269,6 +275,7 @@ ExitCode execute(const RunCommand& command) {
              const AnalystOptions analysis{command.track, false, options.track, options.interpret};
              const Processing processing{detector, analysis, preset_of(options)};
              runs[i] = run_one(command, {task.name, *task.scenario, processing, task.out, tasks.size() == 1});
+             warn_of_missing_truth(runs[i]->result, *task.scenario);
              task.scenario.reset();
            },
        .finish =

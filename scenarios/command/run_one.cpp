@@ -71,6 +71,7 @@ RunAndPictures run_on_log(const RunCommand& command, const Run& run) {
 RunAndPictures run_on_device(const RunCommand& command, const Run& run) {
   const double num_scans = std::ceil(run.scenario.duration_s / run.scenario.lms.scan_period_s - 1e-9);
   LiveSensor sensor(open_device(command.laser), {.limit = static_cast<std::int64_t>(num_scans),
+                                                 .from_zero = true,
                                                  .is_interrupted = is_interrupted,
                                                  .truth = command.truth,
                                                  .warn = log_warning});

@@ -7,6 +7,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/load/include.hpp"
+#include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
 #include "scenarios/load/yaml.hpp"
@@ -163,9 +164,27 @@ struct Origin {
   std::filesystem::path folder;  // empty where it is no file
 };
 
+// A variable that nothing reads would change nothing.
+void check_variable(const TreeNode& root, const Setting& setting) {
+  constexpr std::string_view kSection = "vars.";
+  if (!setting.path.starts_with(kSection)) return;
+  const std::string name = setting.path.substr(kSection.size());
+  std::vector<std::string> known;
+  for (const NodeEntry& section : root.entries) {
+    if (section.key != "vars") continue;
+    for (const NodeEntry& variable : section.value.entries) known.push_back(variable.key);
+  }
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw InputError(fmt::format("--set {}: there is no variable {}{}", setting.path, quote(name),
+                               name_hint(name, known, "variables")));
+}
+
 Scenario load_document(TreeNode root, const Origin& origin, std::span<const Setting> settings) {
   resolve_includes(root, origin.folder);
-  for (const Setting& setting : settings) set_path(root, setting);
+  for (const Setting& setting : settings) {
+    check_variable(root, setting);
+    set_path(root, setting);
+  }
   refuse_include_of_setting(root);
   if (root.kind == TreeNode::Kind::kNothing) {
     throw InputError(origin.name + ": is empty; expected a scenario");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry/angles.hpp"
+#include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/table.hpp"
 
@@ -45,6 +46,7 @@ void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
     if (const auto bound = table.take(name)) bounds.emplace_back(*find_metric(name, kind), *bound);
   }
   table.finish();
+  if (bounds.empty()) value.refuse("asks for nothing" + name_hint("", metric_names(kind), "metrics"));
   const auto is_written_before = [](const auto& a, const auto& b) {
     return &a.second.node() < &b.second.node();
   };
@@ -57,7 +59,9 @@ void load_bounds(const Value& value, FeatureKind kind, Scenario& scenario) {
 // One map of bounds, or a list of them for several windows of time, presets, known failures.
 void load_needs(const Value& value, FeatureKind kind, Scenario& scenario) {
   if (value.node().kind != TreeNode::Kind::kList) return load_bounds(value, kind, scenario);
-  for (const Value& item : value.items()) load_bounds(item, kind, scenario);
+  const std::vector<Value> items = value.items();
+  if (items.empty()) value.refuse("asks for nothing");
+  for (const Value& item : items) load_bounds(item, kind, scenario);
 }
 
 void load_line_gate(Table& gate, MatchOptions& match) {
@@ -103,6 +107,7 @@ void load_score(const Value& value, Scenario& scenario) {
     if (const auto gate = table.take("gate")) load_gate(*gate, kind, scenario.match);
     if (const auto need = table.take("need")) load_needs(*need, kind, scenario);
     table.finish();
+    if (section->node().entries.empty()) section->refuse("asks for nothing; write need or gate");
   }
   score.finish();
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/load/sensor_effects.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
 #include "core/geometry/angles.hpp"
 
 namespace scanbed::scenarios {
@@ -73,15 +78,36 @@ void load_scales(const Value& value, sim::EffectScales& effects) {
   table.finish();
 }
 
+// A sensor without an effect has it only where the file says so.
+void check_effect(const std::optional<Value>& section, const std::optional<Value>& scales, double scale) {
+  if (!section || scale > 0.0) return;
+  const auto is_it = [&](const NodeEntry& entry) { return entry.key == section->name(); };
+  if (scales && std::ranges::any_of(scales->node().entries, is_it)) return;
+  section->refuse(fmt::format("changes nothing: this sensor has no such effect; write effects: {{{}: 1}} too",
+                              section->name()));
+}
+
 }  // namespace
 
 void load_effects(Table& sensor, sim::SensorOptions& options) {
-  if (const auto noise = sensor.take("noise")) load_noise(*noise, options);
-  if (const auto bias = sensor.take("bias")) load_bias(*bias, options.bias);
-  if (const auto spot = sensor.take("spot")) load_spot(*spot, options.spot);
-  if (const auto dropout = sensor.take("dropout")) load_dropout(*dropout, options.dropout);
-  if (const auto dazzle = sensor.take("dazzle")) load_dazzle(*dazzle, options.dazzle);
-  if (const auto effects = sensor.take("effects")) load_scales(*effects, options.effects);
+  const sim::EffectScales own = options.effects;
+  const auto noise = sensor.take("noise");
+  const auto bias = sensor.take("bias");
+  const auto spot = sensor.take("spot");
+  const auto dropout = sensor.take("dropout");
+  const auto dazzle = sensor.take("dazzle");
+  const auto scales = sensor.take("effects");
+  if (noise) load_noise(*noise, options);
+  if (bias) load_bias(*bias, options.bias);
+  if (spot) load_spot(*spot, options.spot);
+  if (dropout) load_dropout(*dropout, options.dropout);
+  if (dazzle) load_dazzle(*dazzle, options.dazzle);
+  if (scales) load_scales(*scales, options.effects);
+  check_effect(noise, scales, own.noise);
+  check_effect(bias, scales, own.bias);
+  check_effect(spot, scales, own.spot);
+  check_effect(dropout, scales, own.dropout);
+  check_effect(dazzle, scales, own.dazzle);
 }
 
 }  // namespace scanbed::scenarios

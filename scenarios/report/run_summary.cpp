@@ -185,7 +185,8 @@ std::string summary_of_complete(Runs results) {
   for (const Runs& runs : groups) append_collisions(notes, runs);
   if (!notes.empty()) out += "\n" + notes;
   const int num_refused = count_refused(results);
-  append_format(out, "\n{} scenarios, {} runs: ", groups.size(), results.size());
+  append_format(out, "\n{} scenario{}, {} runs: ", groups.size(), groups.size() == 1 ? "" : "s",
+                results.size());
   out += num_refused == 0 ? "no gate missed that is not known to fail\n"
                           : fmt::format("{} missed a gate\n", num_refused);
   return out;

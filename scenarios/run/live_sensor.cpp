@@ -63,6 +63,8 @@ bool LiveSensor::next(LaserScan& scan, Seconds /*timeout*/) {
   if (options_.limit && num_scans_ >= *options_.limit) return false;
   if (!wait_for_scan(scan)) return false;
   ++num_scans_;
+  if (!first_s_) first_s_ = scan.time_s;
+  if (options_.from_zero) scan.time_s -= *first_s_;
   watch(scan.health);
   truth_ = reader_ ? reader_->find(scan.range_m) : device_->truth();
   num_truths_ += truth_ != nullptr ? 1 : 0;

@@ -17,6 +17,7 @@ struct LiveOptions {
   double patience_s = 90.0;           ///< without a scan, before it is an error; a sensor may start for 60 s
   double quiet_s = 5.0;               ///< without a scan, before the user is told what the device is at
   std::optional<std::int64_t> limit;  ///< scans after which the stream ends
+  bool from_zero = false;             ///< times are counted from the first scan, as simulated ones are
   std::function<bool()> is_interrupted;        ///< asked ten times a second; true ends the stream
   std::optional<std::filesystem::path> truth;  ///< where truth of the scans is found
   /// Told in one line when what the device says of its own state changes, and when scans stay away; may be
@@ -54,6 +55,7 @@ class LiveSensor final : public RangeSensor {
   std::optional<TruthReader> reader_;
   const Truth* truth_ = nullptr;
   SensorHealth health_;
+  std::optional<double> first_s_;
   std::int64_t num_scans_ = 0;
   std::int64_t num_truths_ = 0;
 };

@@ -61,7 +61,7 @@ TEST_F(RunTest, RunsOneScenarioAsOftenAsItIsNamed) {
   const std::string file = scenario(kEasy);
   const Outcome outcome = run_program({"run", file, (folder_ / "./s.yaml").string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 scenarios, 2 runs"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 scenario, 2 runs"), std::string::npos) << outcome.out;
 }
 
 TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
@@ -155,6 +155,7 @@ TEST_F(RunTest, CountsOnARecordingWithoutScoring) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("1 scans"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("not scored"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("warning: easy: not scored"), std::string::npos) << outcome.err;
 }
 
 TEST_F(RunTest, WarnsOfARecordingOfSeveralLasers) {

@@ -79,8 +79,20 @@ TEST(LoadScenarioTest, ChecksSettingsLikeTheFile) {
             "--set sensor.nois.sigma=0.02: unknown key 'nois'; did you mean 'noise'?");
   EXPECT_EQ(error_of([&] { set("duration", "-1"); }),
             "--set duration=-1: duration: value -1 is out of range; allowed: (0, 86400]");
+  EXPECT_EQ(error_of([&] { set("vars.r", "0.02"); }),
+            "--set vars.r: there is no variable 'r'; there are no known variables");
   EXPECT_EQ(error_of([&] { set("include", "hall.yaml"); }),
             "--set include=hall.yaml: include: only a file includes others");
+}
+
+TEST(LoadScenarioTest, SettingsOfVariablesThatThereAreNotAreRefused) {
+  const auto set = [](const std::string& path) {
+    const std::array<Setting, 1> settings = {Setting{path, "0.02"}};
+    return parse_scenario(kHead + "vars: {SIGMA: 0.01}\nsensor: {noise: {sigma: $SIGMA}}\n", "f", settings);
+  };
+  EXPECT_EQ(set("vars.SIGMA").lms.noise_sigma_m, 0.02);
+  EXPECT_EQ(error_of([&] { set("vars.SIGM"); }),
+            "--set vars.SIGM: there is no variable 'SIGM'; did you mean 'SIGMA'?");
 }
 
 TEST(LoadScenarioTest, ReadsFiles) {

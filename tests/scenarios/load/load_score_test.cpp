@@ -51,6 +51,16 @@ TEST(LoadScoreTest, ReadsNeedsOfWhatIsFollowed) {
   EXPECT_EQ(scenario.needs[2].kind, FeatureKind::kCylinder);
 }
 
+// A bar that asks for nothing would be a gate that is not there.
+TEST(LoadScoreTest, RefusesBarsThatAskForNothing) {
+  for (const char* bar : {"circle: {}", "circle: {need: {}}", "circle: {need: []}",
+                          "circle: {need: [{preset: paper}]}", "circle: {need: [{recall: 0.9}, {}]}"}) {
+    EXPECT_NE(parse_error("score: {" + std::string(bar) + "}\n").find("asks for nothing"), std::string::npos)
+        << bar;
+  }
+  EXPECT_TRUE(parse("score: {circle: {gate: {center: 0.2}}}\n").needs.empty());
+}
+
 TEST(LoadScoreTest, FeaturesAndTracksHaveTheirOwnMetrics) {
   EXPECT_NE(parse_error("score: {circle: {need: {mota: 0.9}}}\n").find("unknown key 'mota'"),
             std::string::npos);

@@ -61,6 +61,16 @@ TEST(LoadSensorTest, HasEveryPresetWithAllItsEffects) {
   EXPECT_GT(parse("").lms.spot.divergence_rad, 0.0) << "the LMS 200 as it is, also where nothing is said";
 }
 
+TEST(LoadSensorTest, RefusesFiguresOfEffectsThatTheSensorDoesNotHave) {
+  EXPECT_NE(
+      parse_error("sensor: {use: ideal, noise: {sigma: 0.1}}\n")
+          .find("noise: changes nothing: this sensor has no such effect; write effects: {noise: 1} too"),
+      std::string::npos);
+  EXPECT_EQ(parse("sensor: {use: ideal, noise: {sigma: 0.1}, effects: {noise: 1}}\n").lms.effects.noise, 1.0);
+  // Who switches it off again knows what he does.
+  EXPECT_EQ(parse("sensor: {noise: {sigma: 0.1}, effects: {noise: 0}}\n").lms.effects.noise, 0.0);
+}
+
 TEST(LoadSensorTest, LetsSensorsWithoutInterlaceDifferFromTheirPreset) {
   const sim::SensorOptions tim =
       parse(

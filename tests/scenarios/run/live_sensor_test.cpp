@@ -19,6 +19,7 @@ class SlowDevice final : public RangeSensor {
     if (num_left_-- > 0) throw SensorFault(SensorFault::Kind::kTimeout, "not yet");
     num_left_ = num_timeouts_;
     scan.health = num_scans_ < static_cast<int>(health.size()) ? health[num_scans_] : SensorHealth{};
+    scan.time_s = 7.5 + num_scans_;
     scan.range_m = {static_cast<double>(num_scans_++)};
     return true;
   }
@@ -78,6 +79,17 @@ TEST(LiveSensorTest, EndsAfterItsLimit) {
   EXPECT_TRUE(sensor.next(scan, {}));
   EXPECT_TRUE(sensor.next(scan, {}));
   EXPECT_FALSE(sensor.next(scan, {}));
+}
+
+TEST(LiveSensorTest, CountsTimeFromTheFirstScanWhereItIsToldTo) {
+  for (const bool from_zero : {false, true}) {
+    LiveSensor sensor(std::make_unique<SlowDevice>(0), {.from_zero = from_zero});
+    LaserScan scan;
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_TRUE(sensor.next(scan, {}));
+      EXPECT_EQ(scan.time_s, i + (from_zero ? 0.0 : 7.5));
+    }
+  }
 }
 
 TEST(LiveSensorTest, EndsWhereTheUserWantsItTo) {
