@@ -106,7 +106,17 @@ void check_laser(const RunCommand& command) {
   if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
 }
 
+bool has_pictures(const Task& task) {
+  if (!task.scenario) return false;
+  const PictureTimes& times = task.scenario->pictures;
+  return !times.top_s.empty() || !times.camera_s.empty() || !times.laser_s.empty();
+}
+
 void check_tasks(const RunCommand& command, const std::vector<Task>& tasks) {
+  if (command.out && std::none_of(tasks.begin(), tasks.end(), has_pictures)) {
+    throw InputError(
+        "--out: no scenario asks for pictures; write outputs: {pictures: {top: [0]}} in its file");
+  }
   if (command.record && tasks.size() > 1) {
     throw InputError(fmt::format("--record: one recording holds one run; found {}", tasks.size()));
   }

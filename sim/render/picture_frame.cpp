@@ -151,9 +151,11 @@ void draw_plan_scale(Canvas& canvas, const ViewCamera& camera) {
   for (int i = 0; i <= num_columns; ++i) {
     const double column_px = grid.column_px(x0_m + i * step_m);
     const std::string text = metres(x0_m + i * step_m);
-    const double text_px = column_px - 0.5 * canvas.text_width_px(text, style);
+    const double text_width_px = canvas.text_width_px(text, style);
+    const double text_px = column_px - 0.5 * text_width_px;
+    const bool fits = text_px > 4.0 * scale && text_px + text_width_px < width_px - 4.0 * scale;
     lines.push_back({{column_px, highest_px}, {column_px, lowest_px}});
-    if (text_px > 4.0 * scale) canvas.text({text_px, lowest_px - 6.0 * scale}, text, style);
+    if (fits) canvas.text({text_px, lowest_px - 6.0 * scale}, text, style);
   }
   const int num_rows = static_cast<int>(height_px / (step_m * grid.px_per_m));
   const double y0_m = step_m * std::floor(grid.y_top_m / step_m);

@@ -66,13 +66,21 @@ void label_polar_grid(Canvas& canvas, const ViewCamera& camera, const Eigen::Iso
                       double reach_m) {
   const double scale = picture_scale(canvas);
   const TextStyle style{{0.25, 0.27, 0.32, 1.0}, 11.5 * scale};
+  const Eigen::Vector2d size_px(40.0 * scale, 14.0 * scale);
   const double step_m = ring_step_m(reach_m);
+  Eigen::AlignedBox2d taken_px;
   for (int ring = 1; ring * step_m <= reach_m + 1e-9; ++ring) {
     const std::optional<Projection> projection = camera.project(X_WS * on_floor(ring * step_m, 0.0));
     if (!projection) continue;
+    const Eigen::Vector2d corner_px = projection->at_px + Eigen::Vector2d(4.0 * scale, -4.0 * scale);
+    const Eigen::AlignedBox2d box(corner_px - Eigen::Vector2d(0.0, size_px.y()),
+                                  corner_px + Eigen::Vector2d(size_px.x(), 0.0));
+    // Far away rings lie close together, and beyond the middle stands something else.
+    if (!middle_of(canvas).contains(box) || taken_px.intersects(box)) continue;
+    taken_px.extend(box);
     std::ostringstream text;
     text << ring * step_m << " m";
-    canvas.text(projection->at_px + Eigen::Vector2d(4.0 * scale, -4.0 * scale), text.str(), style);
+    canvas.text(corner_px, text.str(), style);
   }
 }
 

@@ -89,10 +89,19 @@ struct ScenePainter::Impl {
   double reach_m() const { return std::ceil(0.6 * bounds.sizes().head<2>().norm()); }
   bool has_plan_scale() const { return options.view == View::kTop && options.grid != Grid::kPolar; }
 
+  // Of the polar grid. Who looks along the laser's plane sees it as a line, and so gets the floor below it.
+  Eigen::Isometry3d grid_pose(const Eigen::Isometry3d& X_WS) const {
+    if (options.view != View::kLaser) return X_WS;
+    const Eigen::Vector3d ahead = X_WS.linear().col(0);
+    Eigen::Isometry3d pose(Eigen::AngleAxisd(std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ()));
+    pose.translation() << X_WS.translation().head<2>(), 0.0;
+    return pose;
+  }
+
   // Under what was measured.
   void draw_grid(ScenePen& pen, const Eigen::Isometry3d& X_WS) const {
     const double scale = options.height_px / 720.0;
-    if (options.grid == Grid::kPolar) draw_polar_grid(pen, X_WS, reach_m(), scale);
+    if (options.grid == Grid::kPolar) draw_polar_grid(pen, grid_pose(X_WS), reach_m(), scale);
     if (options.grid == Grid::kCartesian && !has_plan_scale()) draw_cartesian_grid(pen, bounds, scale);
   }
 
@@ -125,7 +134,8 @@ Image ScenePainter::paint(const WorldState& state, const Sight& sight, const std
   draw_scan(pen, X_WS, scan, self.overlay_style());
   if (truth != nullptr && self.options.truth) draw_truth(pen, X_WS, *truth, self.overlay_style().scale);
   if (self.options.features) draw_features(pen, X_WS, features, self.overlay_style());
-  if (self.options.grid == Grid::kPolar) label_polar_grid(canvas, camera, X_WS, self.reach_m());
+  if (self.options.grid == Grid::kPolar)
+    label_polar_grid(canvas, camera, self.grid_pose(X_WS), self.reach_m());
   if (truth != nullptr && self.options.labels) draw_labels(canvas, camera, X_WS, *truth);
   draw_caption(canvas, caption);
   draw_legend(canvas, features, self.options.view == View::kTop ? "" : "floor tiles: 1 m");

@@ -66,6 +66,7 @@ void draw_labels(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry
   const double scale = picture_scale(canvas);
   const TextStyle halo{{1.0, 1.0, 1.0, 0.8}, 12.0 * scale, true};
   const TextStyle ink{kTruthColor, 12.0 * scale, true};
+  const double gap_px = 3.0 * scale;  // on either side, so that neighbours do not read as one
   const AlignedBox2d middle_px = middle_of(canvas);
   std::vector<Label> labels;
   std::vector<std::string> texts;
@@ -75,13 +76,14 @@ void draw_labels(Canvas& canvas, const ViewCamera& camera, const Eigen::Isometry
     const Vector2d place_m = is_line ? Vector2d(0.5 * (object.from_m + object.to_m)) : object.center_m;
     const std::optional<Projection> projection = camera.project(X_WS * lift(place_m));
     if (!projection || !middle_px.contains(projection->at_px)) continue;
-    labels.push_back({projection->at_px, {canvas.text_width_px(object.id, ink), 14.0 * scale}});
+    labels.push_back(
+        {projection->at_px, {canvas.text_width_px(object.id, ink) + 2.0 * gap_px, 14.0 * scale}});
     texts.push_back(object.id);
   }
   const std::vector<AlignedBox2d> boxes = label_places(labels, middle_px);
   canvas.stroke(leaders(labels, boxes), {kTruthColor, scale});
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vector2d at_px(boxes[i].min().x(), boxes[i].max().y() - 3.0 * scale);
+    const Vector2d at_px(boxes[i].min().x() + gap_px, boxes[i].max().y() - 3.0 * scale);
     for (const Vector2d& off_px : {Vector2d(1, 0), Vector2d(-1, 0), Vector2d(0, 1), Vector2d(0, -1)}) {
       canvas.text(at_px + scale * off_px, texts[i], halo);
     }

@@ -207,6 +207,10 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"run", easy, "--laser", "log:" + log, "--out", (folder_ / "pictures").string()});
   refused({"run", easy, "--laser", "log:" + log, "--backend", "spatial"});
   refused({"run", easy, "--out", "-"});
+  EXPECT_NE(
+      refused({"run", easy, "--out", (folder_ / "pictures").string()}).find("no scenario asks for pictures"),
+      std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "pictures"));
   // A name with control characters stays one line too.
   refused({"run", "a\nb"});
   // Pictures of the one would overwrite those of the other, and the summary would take both for one.
@@ -236,7 +240,8 @@ TEST_F(RunTest, CallsWhatCannotBeWrittenAFault) {
   EXPECT_EQ(run_program({"run", scenario(kEasy)}, "/dev/full").exit_code, 3);
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"}).exit_code, 3);
   EXPECT_EQ(run_program({"run", scenario(kEasy), "--json", "/dev/full"}).exit_code, 3);
-  EXPECT_EQ(run_program({"run", scenario(kEasy), "--out", "/dev/null/x"}).exit_code, 3);
+  const std::string pictures = "outputs: {pictures: {top: [0]}}\n";
+  EXPECT_EQ(run_program({"run", scenario(kEasy + pictures), "--out", "/dev/null/x"}).exit_code, 3);
 }
 
 TEST_F(RunTest, WritesItsFileAlsoWhereNobodyReadsWhatIsPrinted) {

@@ -46,6 +46,18 @@ TEST_F(SceneGridTest, RingsSayTheirRange) {
   EXPECT_GT(count_pixels(canvas_.image(), 0, 480, [](const auto& c) { return c.x() < 0.7; }), 20);
 }
 
+// The plan's upper edge is where a caption goes.
+TEST_F(SceneGridTest, RingsWithoutRoomSayNothing) {
+  const auto is_dark = [](const auto& c) { return c.x() < 0.7; };
+  const Eigen::Vector3d eye_m = camera_.X_WC.translation();
+  const double top_m = eye_m.y() + 0.5 * camera_.height_px / camera_.px_per_m(eye_m.z());
+  Eigen::Isometry3d X_WS(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitZ()));
+  X_WS.translation() << 0.0, top_m - 2.15, 0.0;  // the second ring ends 0.15 m below the edge
+  label_polar_grid(canvas_, camera_, X_WS, 2.0);
+  EXPECT_EQ(count_pixels(canvas_.image(), 0, 24, is_dark), 0);
+  EXPECT_GT(count_pixels(canvas_.image(), 24, 480, is_dark), 10);
+}
+
 TEST(RingStepTest, ThereAreAtMostEightRings) {
   for (const double reach_m : {0.5, 8.0, 8.1, 20.0, 81.0, 400.0}) {
     EXPECT_LE(reach_m / ring_step_m(reach_m), 8.0);
