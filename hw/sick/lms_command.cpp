@@ -68,9 +68,6 @@ std::optional<LmsCommand> parse_mode(ByteView data) {
   const bool has_password = std::equal(data.begin() + 1, data.end(), kPassword.begin(), kPassword.end());
   switch (data[0]) {
     case 0x00:
-    case 0x24:
-    case 0x25:
-    case 0x2A:
     case 0x30:
       return SetModeCommand{static_cast<LmsMode>(data[0]), has_password};
     case 0x27:
@@ -79,6 +76,10 @@ std::optional<LmsCommand> parse_mode(ByteView data) {
                                    static_cast<int>(read_word(data, 3))};
     default:
       break;
+  }
+  if (data.size() != 1) return std::nullopt;
+  if (data[0] == 0x24 || data[0] == 0x25 || data[0] == 0x2A) {
+    return SetModeCommand{static_cast<LmsMode>(data[0]), false};
   }
   for (const auto& [code, baud] : kBaudCodes) {
     if (code == data[0]) return SetBaudCommand{baud};

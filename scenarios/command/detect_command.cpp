@@ -164,8 +164,7 @@ Usage detect_usage() {
   Usage usage{.name = "detect", .summary = "Print the features of each scan as JSON Lines"};
   usage.flags = {
       {"--laser", "SPEC",
-       "log:FILE[?only=NAME&no_return=METRES&speed=X&from=S&to=S], sim:SCENARIO, "
-       "sick:PORT[?baud=38400&fov_deg=180&resolution_deg=0.5&unit=mm], scip:PORT or cola:HOST",
+       "log:FILE, sim:SCENARIO, sick:PORT, scip:PORT or cola:HOST, with options behind '?'; see below",
        &texts->laser, true},
       {"--limit", "N", "Stop after N scans", &texts->limit},
       {"--track", "", "Follow people, legs and cylinders: adds \"tracks\"", &texts->track},
@@ -179,6 +178,12 @@ Usage detect_usage() {
       texts->settings.flag(),
   };
   usage.footer = R"(Prints one JSON object a scan, in metres and radians of the sensor's frame.
+Lasers, and options as in 'log:FILE?from=2&to=10':
+  log:FILE      only=NAME no_return=METRES speed=X from=S to=S
+  sim:SCENARIO
+  sick:PORT     baud=38400 fov_deg=180 resolution_deg=0.5 unit=mm mode=0 lossless=0 (1: for emulators)
+  scip:PORT     baud=115200; or scip:HOST, scip:HOST:10940
+  cola:HOST     or cola:HOST:2111
 Examples:
   scanbed detect --laser log:hall.log.gz --limit 10
   scanbed detect --laser 'log:hall.log?only=FLASER&no_return=81.83' --set surface.arc_price=24

@@ -18,7 +18,8 @@ namespace {
 
 std::string describe(const hw::LmsIdentity& identity) {
   const hw::LmsVariant& variant = identity.status.variant;
-  std::string text = fmt::format("{} at {} baud, {} degrees at {}, {}", identity.type, identity.found_baud,
+  const std::string type = identity.type.empty() ? "an LMS" : one_line(identity.type);
+  std::string text = fmt::format("{} at {} baud, {} degrees at {}, {}", type, identity.found_baud,
                                  variant.fov_deg, variant.resolution_cdeg / 100.0,
                                  identity.status.unit == RangeUnit::kMillimetre ? "mm" : "cm");
   for (const auto& error : identity.errors)

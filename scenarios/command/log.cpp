@@ -25,15 +25,19 @@ spdlog::logger make_logger() {
   return spdlog::logger("scanbed", sink);
 }
 
-void write(spdlog::level::level_enum level, std::string message) {
+void write(spdlog::level::level_enum level, const std::string& message) {
   static spdlog::logger logger = make_logger();
-  std::replace_if(
-      message.begin(), message.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-  logger.log(level, spdlog::string_view_t(message));
+  logger.log(level, spdlog::string_view_t(one_line(message)));
 }
 
 }  // namespace
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+      '?');
+  return text;
+}
 
 void log_error(std::string_view message) {
   write(spdlog::level::err, "error: " + std::string(message));

@@ -82,8 +82,11 @@ int to_int(const LaserSpec& spec, const SpecOption& option) {
 
 int to_hundredths(const LaserSpec& spec, const SpecOption& option) {
   const std::optional<double> number = parse_number(option.value);
-  if (number && std::abs(*number) <= 360.0) return static_cast<int>(std::lround(*number * 100.0));
-  refuse_spec(spec.text, fmt::format("{}: expected degrees, found {}", option.name, quote(option.value)));
+  const double hundredths = number.value_or(0.0) * 100.0;
+  const bool is_whole = std::abs(hundredths - std::round(hundredths)) < 1e-6;
+  if (number && is_whole && std::abs(*number) <= 360.0) return static_cast<int>(std::lround(hundredths));
+  refuse_spec(spec.text, fmt::format("{}: expected degrees in steps of 0.01, found {}", option.name,
+                                     quote(option.value)));
 }
 
 void set_unit(LaserSpec& spec, const SpecOption& option) {
@@ -172,7 +175,8 @@ void check(const LaserSpec& spec, const Options& options) {
 void parse_scip(LaserSpec& spec, std::string_view rest) {
   spec.kind = LaserKind::kScip;
   parse_target(spec, rest, set_scip_option);
-  if (spec.target.starts_with('/')) {
+  std::error_code error;
+  if (spec.target.find('/') != std::string::npos || std::filesystem::is_character_file(spec.target, error)) {
     spec.scip.path = spec.target;
   } else {
     parse_host(spec, spec.scip.host, spec.scip.port);

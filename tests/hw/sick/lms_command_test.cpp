@@ -85,8 +85,8 @@ TEST(LmsCommandTest, AWrongPasswordIsNone) {
 }
 
 TEST(LmsCommandTest, RefusesWhatIsNoCommand) {
-  for (const char* body :
-       {"", "20", "20 99", "20 27 01", "30", "30 02", "3B B4 00", "66", "66 02", "77", "99", "74 00"}) {
+  for (const char* body : {"20 24 FF", "20 25 00", "20 40 40", "", "20", "20 99", "20 27 01", "30", "30 02",
+                           "3B B4 00", "66", "66 02", "77", "99", "74 00"}) {
     EXPECT_FALSE(parse_command(from_hex(body)).has_value()) << body;
   }
 }

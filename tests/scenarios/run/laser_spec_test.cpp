@@ -53,6 +53,8 @@ TEST(ParseLaserSpecTest, RefusesAnLmsThatCannotBe) {
   EXPECT_NE(spec_error("sick:x?baud=fast").find("baud: expected a whole number"), std::string::npos);
   EXPECT_NE(spec_error("sick:x?unit=m").find("expected mm or cm"), std::string::npos);
   EXPECT_NE(spec_error("sick:x?resolution_deg=wide").find("expected degrees"), std::string::npos);
+  EXPECT_NE(spec_error("sick:x?resolution_deg=0.504").find("steps of 0.01"), std::string::npos);
+  EXPECT_NE(spec_error("sick:x?mode=300").find("sick.mode: value 300"), std::string::npos);
   EXPECT_NE(spec_error("sick:x?bard=9600").find("did you mean 'baud'"), std::string::npos);
 }
 
@@ -61,6 +63,7 @@ TEST(ParseLaserSpecTest, ReadsOtherSensors) {
   EXPECT_EQ(serial.kind, LaserKind::kScip);
   EXPECT_EQ(serial.scip.path, "/dev/ttyACM0");
   EXPECT_EQ(serial.scip.baud, 19200);
+  EXPECT_EQ(parse_laser_spec("scip:./ttyACM0").scip.path, "./ttyACM0");
   EXPECT_EQ(parse_laser_spec("scip:192.168.0.10").scip.port, 10940);
   EXPECT_EQ(parse_laser_spec("scip:laser.local:1234").scip.host, "laser.local");
   EXPECT_EQ(parse_laser_spec("scip:laser.local:1234").scip.port, 1234);
