@@ -64,10 +64,7 @@ bool ColaReader::next(std::string& body) {
 }
 
 std::string_view ColaTokens::next() {
-  if (rest_.empty()) {
-    is_done_ = true;
-    return "";
-  }
+  if (rest_.empty()) return "";
   const std::size_t blank = rest_.find(' ');
   const std::string_view token = rest_.substr(0, blank);
   rest_.remove_prefix(blank == std::string_view::npos ? rest_.size() : blank + 1);
@@ -92,13 +89,6 @@ std::optional<float> ColaTokens::next_float() {
   const auto value = next_hex();
   if (!value) return std::nullopt;
   return std::bit_cast<float>(*value);
-}
-
-bool ColaTokens::skip_text(std::size_t count) {
-  if (count > rest_.size()) return false;
-  rest_.remove_prefix(count);
-  if (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
-  return true;
 }
 
 std::string to_cola_hex(std::uint32_t value) {

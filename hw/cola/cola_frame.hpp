@@ -36,19 +36,15 @@ class ColaTokens {
  public:
   explicit ColaTokens(std::string_view body) : rest_(body) {}
 
-  bool is_at_end() const { return is_done_; }
-  /// The next field; "" at the end, which then shows in is_at_end().
+  /// The next field; "" at the end.
   std::string_view next();
   /// The next field as hexadecimal number of at most 32 bits; empty where it is none.
   std::optional<std::uint32_t> next_hex();
   std::optional<std::int32_t> next_signed();  ///< in two's complement of 32 bits
   std::optional<float> next_float();          ///< of exactly 8 digits
-  /// `count` characters as they are, blanks included; false where there are fewer.
-  bool skip_text(std::size_t count);
 
  private:
   std::string_view rest_;
-  bool is_done_ = false;
 };
 
 /// A number as a device writes it: hexadecimal, upper case, no leading zeros.

@@ -63,8 +63,8 @@ bool read_head(ColaTokens& tokens, ColaScan& scan) {
   if ((kind != "sSN" && kind != "sRA") || tokens.next() != "LMDscandata") return false;
   // Version, device and serial number; first status byte.
   if (!skip(tokens, 4) || !read(tokens, scan.status)) return false;
-  if (!read(tokens, scan.telegram_count) || !read(tokens, scan.scan_count)) return false;
-  if (!read(tokens, scan.start_us) || !read(tokens, scan.sent_us)) return false;
+  // Counts of telegrams and of scans.
+  if (!skip(tokens, 2) || !read(tokens, scan.start_us) || !read(tokens, scan.sent_us)) return false;
   // Two input and two output bytes, one reserved.
   if (!skip(tokens, 5) || !read(tokens, scan.frequency_chz) || !skip(tokens, 1)) return false;
   std::uint32_t num_encoders = 0;

@@ -24,8 +24,6 @@ struct ColaChannel {
 /// What an LMDscandata telegram says, as far as scans need it.
 struct ColaScan {
   std::uint32_t status = 0;  ///< second status byte: 0 fine, 1 error, 2 pollution warning, 5 pollution error
-  std::uint32_t telegram_count = 0;
-  std::uint32_t scan_count = 0;
   std::uint32_t start_us = 0;       ///< since power-up, of the scan's start; wraps
   std::uint32_t sent_us = 0;        ///< by the same counter, of the telegram's transmission
   std::uint32_t frequency_chz = 0;  ///< hundredths of a hertz

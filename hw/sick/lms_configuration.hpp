@@ -21,7 +21,6 @@ class LmsConfiguration {
 
   ByteView bytes() const { return bytes_; }
 
-  std::uint8_t availability() const { return bytes_[4]; }
   std::uint8_t measuring_mode() const { return bytes_[5]; }
   bool is_centimetre() const { return bytes_[6] == 0; }
   RangeUnit unit() const { return is_centimetre() ? RangeUnit::kCentimetre : RangeUnit::kMillimetre; }

@@ -175,9 +175,7 @@ LmsLink::Try LmsLink::wait_for_reply(std::size_t index, const Ask& how, std::opt
 }
 
 LmsReply LmsLink::ask_for(const LmsCommand& command, std::size_t index, const Ask& how) {
-  ++counts_.num_requests;
   for (int i = 0; i < how.num_tries; ++i) {
-    if (i > 0) ++counts_.num_retries;
     flush();
     tell(command);
     std::optional<LmsReply> reply;
@@ -186,10 +184,7 @@ LmsReply LmsLink::ask_for(const LmsCommand& command, std::size_t index, const As
       if (!std::holds_alternative<RefusedReply>(*reply)) return std::move(*reply);
       throw DeviceRefusal("the sensor refused command " + name_of(command) + " as illegal (92h)");
     }
-    if (outcome == Try::kRejected) {
-      ++counts_.num_naks;
-      stop_.sleep(kPauseAfterNak_s);
-    }
+    if (outcome == Try::kRejected) stop_.sleep(kPauseAfterNak_s);
   }
   throw SensorFault(SensorFault::Kind::kTimeout, "no answer to command " + name_of(command) + " in " +
                                                      std::to_string(how.num_tries) + " tries");

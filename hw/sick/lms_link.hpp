@@ -22,12 +22,6 @@ class LmsReboot : public SensorFault {
   explicit LmsReboot(const std::string& what) : SensorFault(Kind::kDisconnected, what) {}
 };
 
-struct LinkCounts {
-  std::int64_t num_requests = 0;
-  std::int64_t num_retries = 0;
-  std::int64_t num_naks = 0;
-};
-
 /// Requests to an LMS and their answers. No wait is without a bound, and each ends when the signal is given.
 class LmsLink {
  public:
@@ -72,7 +66,6 @@ class LmsLink {
 
   void flush();
 
-  const LinkCounts& counts() const { return counts_; }
   const DecoderCounts& decoder_counts() const { return decoder_.counts(); }
   const StopSignal& stop() const { return stop_; }
   const SickPatience& patience() const { return patience_; }
@@ -92,7 +85,6 @@ class LmsLink {
   SickPatience patience_;
   const StopSignal& stop_;
   TelegramDecoder decoder_{TelegramDecoder::Talker::kSensor};
-  LinkCounts counts_;
   double last_read_s_ = 0.0;
   double byte_s_ = 0.0;  // on the wire; 0: not known
   bool rests_ = false;

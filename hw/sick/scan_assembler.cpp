@@ -33,11 +33,6 @@ ScanAssembler::ScanAssembler(const SickOptions& options, const LmsWordFormat& fo
   turn_geometry_.num_beams = 181;
 }
 
-void ScanAssembler::forget_turns() {
-  if (turns_ != 0) ++num_incomplete_;
-  turns_ = 0;
-}
-
 void ScanAssembler::stamp(double first_beam_s, LaserScan& scan) const {
   scan.time_s = first_beam_s;
   scan.geometry = geometry_;

@@ -24,12 +24,9 @@ class ScanAssembler {
 
   /// Gives up the turns of a scan that is not complete: where damage came between, the next ones may be
   /// another scan's.
-  void forget_turns();
+  void forget_turns() { turns_ = 0; }
 
   const ScanGeometry& geometry() const { return geometry_; }
-
-  /// Sets of turns given up since one of them did not come.
-  std::int64_t num_incomplete() const { return num_incomplete_; }
 
  private:
   Outcome take_turn(const TelegramArrival& arrival, std::size_t num_bytes, LaserScan& scan);
@@ -46,7 +43,6 @@ class ScanAssembler {
   double first_turn_s_ = 0.0;
   SensorHealth health_;
   std::vector<std::uint16_t> words_;
-  std::int64_t num_incomplete_ = 0;
 };
 
 }  // namespace scanbed::hw

@@ -157,15 +157,12 @@ struct RenderTexts {
 };
 
 sim::View to_view(const std::string& text) {
-  static const std::array<std::string, 3> kNames = {"top", "camera", "laser"};
-  constexpr std::array kViews = {sim::View::kTop, sim::View::kCamera, sim::View::kLaser};
-  return kViews[to_choice("--view", text, kNames, "views")];
+  return static_cast<sim::View>(to_choice("--view", text, view_names(), "views"));
 }
 
 sim::Grid to_grid(const std::string& text) {
   static const std::array<std::string, 3> kNames = {"none", "cartesian", "polar"};
-  constexpr std::array kGrids = {sim::Grid::kNone, sim::Grid::kCartesian, sim::Grid::kPolar};
-  return kGrids[to_choice("--grid", text, kNames, "grids")];
+  return static_cast<sim::Grid>(to_choice("--grid", text, kNames, "grids"));
 }
 
 sim::PictureOptions to_picture(const RenderTexts& texts) {

@@ -72,8 +72,7 @@ Flag BackendFlag::flag() {
 }
 
 sim::Backend BackendFlag::value() const {
-  static const std::array<std::string, 2> kBackends = {"planar", "spatial"};
-  return sim::parse_backend(kBackends[to_choice("--backend", text, kBackends, "engines")]);
+  return static_cast<sim::Backend>(to_choice("--backend", text, sim::backend_names(), "engines"));
 }
 
 Flag RecordFlag::flag() {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "scenarios/run/output.hpp"
 
@@ -15,16 +17,9 @@ constexpr double kClockError_s = 1e-6;
 
 }  // namespace
 
-std::string_view to_string(sim::View view) {
-  switch (view) {
-    case sim::View::kTop:
-      return "top";
-    case sim::View::kCamera:
-      return "camera";
-    case sim::View::kLaser:
-      return "laser";
-  }
-  return "";
+std::span<const std::string> view_names() {
+  static const std::array<std::string, 3> kNames = {"top", "camera", "laser"};
+  return kNames;
 }
 
 bool shows(const Scenario& scenario, const LaserScan& scan, double time_s) {
@@ -62,7 +57,8 @@ void PictureTaker::take(Series& series, const LaserScan& scan, const Features& f
         std::make_unique<sim::ScenePainter>(sensor_.world(), sim::PictureOptions{.view = series.view});
   }
   const std::string name =
-      fmt::format("{}_{}_{:g}s.png", scenario_.name, to_string(series.view), series.times_s[series.next]);
+      fmt::format("{}_{}_{:g}s.png", scenario_.name, view_names()[static_cast<std::size_t>(series.view)],
+                  series.times_s[series.next]);
   const sim::Image image = series.painter->paint(sensor_.state(), {scan, features}, caption(scenario_, scan));
   write_whole(folder_ / name, sim::png_of(image));
   files_.push_back(folder_ / name);

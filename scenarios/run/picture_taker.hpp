@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/detect/features.hpp"
@@ -15,8 +15,8 @@
 
 namespace scanbed::scenarios {
 
-/// "top", "camera" or "laser".
-std::string_view to_string(sim::View view);
+/// "top", "camera" and "laser", in the order of View.
+std::span<const std::string> view_names();
 
 /// Whether a moment falls to this scan: to the last one that starts at or before it. The end of the scenario
 /// falls to its last scan.

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "sim/engine/make_engine.hpp"
 
-#include <string>
+#include <array>
+#include <cstddef>
 
-#include "core/errors/input_error.hpp"
 #include "sim/planar/planar_engine.hpp"
 #include "sim/spatial/spatial_engine.hpp"
 
 namespace scanbed::sim {
 
-std::string_view to_string(Backend backend) {
-  return backend == Backend::kPlanar ? "planar" : "spatial";
+std::span<const std::string> backend_names() {
+  static const std::array<std::string, 2> kNames = {"planar", "spatial"};
+  return kNames;
 }
 
-Backend parse_backend(std::string_view name) {
-  for (const Backend backend : {Backend::kPlanar, Backend::kSpatial}) {
-    if (name == to_string(backend)) return backend;
-  }
-  throw InputError("backend: '" + std::string(name) + "' is not known; allowed: planar, spatial");
+const std::string& to_string(Backend backend) {
+  return backend_names()[static_cast<std::size_t>(backend)];
 }
 
 std::unique_ptr<Engine> make_engine(const World& world, Backend backend) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
+#include <span>
+#include <string>
 
 #include "sim/engine/engine.hpp"
 #include "sim/world/world.hpp"
@@ -12,11 +13,9 @@ namespace scanbed::sim {
 /// Which physics engine moves a world: Box2D in the laser's plane, or MuJoCo in space.
 enum class Backend { kPlanar, kSpatial };
 
-/// "planar" or "spatial".
-std::string_view to_string(Backend backend);
-
-/// @throws InputError for any other name.
-Backend parse_backend(std::string_view name);
+/// "planar" and "spatial", in the order of Backend.
+std::span<const std::string> backend_names();
+const std::string& to_string(Backend backend);
 
 /// @throws InputError where the world does not validate, or is not one for this engine;
 ///         SensorFault (kSimulator) where the engine refuses it.
