@@ -45,7 +45,7 @@ struct SickLms::Impl {
   void work();
   bool try_again(const SensorFault& fault);
   void attempt();
-  void leave(SerialPort& port, double answer_s) const;
+  void leave(std::optional<SerialPort>& port, double answer_s) const;
   void open_and_stream(SerialPort& port);
   void stream(LmsLink& link, const LmsConfiguration& configuration);
   bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
@@ -153,21 +153,23 @@ void SickLms::Impl::attempt() {
     was_port_good = true;
     open_and_stream(*port);
   } catch (const Stopped&) {
-    leave(*port, options.patience.close_s);
+    leave(port, options.patience.close_s);
     throw;
   } catch (const DeviceRefusal&) {
-    leave(*port, options.patience.ack_s);
+    leave(port, options.patience.ack_s);
     throw;
   } catch (const SensorFault& fault) {
     gives_up = !try_again(fault);
-    if (gives_up && port) leave(*port, options.patience.ack_s);
+    if (gives_up) leave(port, options.patience.ack_s);
     throw;
   }
 }
 
-/// Leaves the sensor quiet, and at the baud that it was found at.
-void SickLms::Impl::leave(SerialPort& port, double answer_s) const {
-  end_stream(port, options.restore_baud && first_found_baud != port.baud() ? first_found_baud : 0, answer_s);
+/// Leaves the sensor quiet, and at the baud that it was found at; where there was a port at all.
+void SickLms::Impl::leave(std::optional<SerialPort>& port, double answer_s) const {
+  if (!port) return;
+  end_stream(*port, options.restore_baud && first_found_baud != port->baud() ? first_found_baud : 0,
+             answer_s);
 }
 
 void SickLms::Impl::open_and_stream(SerialPort& port) {

@@ -5,8 +5,6 @@
 #include <exception>
 #include <memory>
 
-#include "core/errors/input_error.hpp"
-#include "core/errors/sensor_fault.hpp"
 #include "hw/recording/open_recording.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/flag_values.hpp"
@@ -14,6 +12,7 @@
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/progress.hpp"
+#include "scenarios/command/source_fault.hpp"
 #include "scenarios/command/usage.hpp"
 
 namespace scanbed::scenarios {
@@ -33,15 +32,7 @@ void copy_scans(hw::ScanReader& reader, hw::ScanWriter& writer) {
 ExitCode execute(const ConvertCommand& command) {
   const std::unique_ptr<hw::ScanReader> reader = open_log(command.from);
   const std::unique_ptr<hw::ScanWriter> writer = hw::create_recording(command.to, reader->metadata());
-  // A recording that is cut off becomes a whole one of what it has.
-  std::exception_ptr fault;
-  try {
-    copy_scans(*reader, *writer);
-  } catch (const InputError&) {
-    fault = std::current_exception();
-  } catch (const SensorFault&) {
-    fault = std::current_exception();
-  }
+  const std::exception_ptr fault = source_fault([&] { copy_scans(*reader, *writer); });
   writer->finish();
   log_note(to_text(reader->counts()));
   if (fault) {

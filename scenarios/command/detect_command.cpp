@@ -11,7 +11,6 @@
 
 #include "core/detect/feature_detector.hpp"
 #include "core/errors/input_error.hpp"
-#include "core/errors/sensor_fault.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/flag_values.hpp"
 #include "scenarios/command/interrupt.hpp"
@@ -20,6 +19,7 @@
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
+#include "scenarios/command/source_fault.hpp"
 #include "scenarios/command/source_watch.hpp"
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/analyst.hpp"
@@ -50,21 +50,6 @@ void print_features(const DetectCommand& command, RangeSensor& sensor, Analyst& 
     if (!sinks.output.write(line)) return;
     progress.show(num_scans + 1);
   }
-}
-
-// What was found before a source failed is written all the same.
-void print_all(const DetectCommand& command, RangeSensor& sensor, Analyst& analyst, const Sinks& sinks) {
-  std::exception_ptr fault;
-  try {
-    print_features(command, sensor, analyst, sinks);
-  } catch (const InputError&) {
-    fault = std::current_exception();
-  } catch (const SensorFault&) {
-    fault = std::current_exception();
-  }
-  sinks.output.commit();
-  sinks.recorder.finish();
-  if (fault) std::rethrow_exception(fault);
 }
 
 struct OpenedLaser {
@@ -148,12 +133,11 @@ ExitCode execute(const DetectCommand& command) {
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, preset_of(options));
   if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);
   Recorder recorder(command.record, metadata);
-  std::exception_ptr fault;
-  try {
-    print_all(command, *laser.sensor, analyst, {output, recorder});
-  } catch (const InputError&) {
-    fault = std::current_exception();
-  }
+  const std::exception_ptr fault = source_fault([&] {
+    print_features(command, *laser.sensor, analyst, {output, recorder});
+  });
+  output.commit();
+  recorder.finish();
   if (laser.log != nullptr) log_note(to_text(laser.log->counts()));
   if (fault) std::rethrow_exception(fault);
   return is_interrupted() ? kExitInterrupted : kExitFine;
