@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/errors/input_error.hpp"
 #include "hw/sick/sick_lms.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/load/library.hpp"
@@ -25,6 +27,10 @@ std::string plural(std::int64_t count, std::string_view noun) {
 
 Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
                        std::optional<std::uint64_t> seed) {
+  const auto is_seed = [](const Setting& setting) { return setting.path == "seed"; };
+  if (seed && std::any_of(settings.begin(), settings.end(), is_seed)) {
+    throw InputError("--seed: is given by --set seed=... too; leave one of them out");
+  }
   std::vector<Setting> all(settings.begin(), settings.end());
   // Before it is loaded, since bodies and whole worlds are drawn from it.
   if (seed) all.push_back({.path = "seed", .value = std::to_string(*seed)});

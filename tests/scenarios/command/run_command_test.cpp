@@ -187,6 +187,7 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
                 .find("--laser log:/nowhere: its scans show one run; found 2"),
             std::string::npos);
   refused({"run", scenario(kEasy), "--tables", "--quiet"});
+  refused({"run", scenario(kEasy), "--seed", "4", "--set", "seed=9"});
   refused({"run", scenario(kEasy), "--tables", "--json", "-"});
   refused({"run", scenario(kEasy), "--jobs", "0"});
   refused({"run", scenario(kEasy), "--laser", "sick:/dev/ttyS0?baud=1"});
