@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <initializer_list>
+
 namespace scanbed::scenarios {
 
 void keep_standard_streams() {
