@@ -9,6 +9,7 @@
 #include "core/errors/input_error.hpp"
 #include "core/geometry/angles.hpp"
 #include "hw/recording/field_reader.hpp"
+#include "hw/recording/reading_limit.hpp"
 
 namespace scanbed::hw {
 namespace {

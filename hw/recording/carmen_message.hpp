@@ -9,16 +9,11 @@
 
 namespace scanbed::hw {
 
-/// An LMS in centimetres: its readings from the first on are overflow codes, and there is none beyond the
-/// last.
-inline constexpr double kFirstLmsCode_m = 81.83;
-inline constexpr double kLastLmsCode_m = 81.91;
-
 /// How a CARMEN log is read.
 struct CarmenLogOptions {
   std::string only;  ///< read this message alone ("FLASER", "RAWLASER2", ...); empty reads all laser messages
-  /// Readings from here on mean "no return". Empty: from the LMS's codes on, but for messages whose own
-  /// maximum range lies beyond these.
+  /// Readings from here on mean "no return". Empty: from the LMS's codes on (reading_limit.hpp), but for
+  /// messages whose own maximum range lies beyond these.
   std::optional<double> no_return_m;
 
   void validate() const;  ///< @throws InputError naming the first field that is not allowed

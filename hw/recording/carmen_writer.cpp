@@ -68,7 +68,7 @@ std::string line_of(const LaserScan& scan, std::string line) {
   const bool is_robot = line.starts_with("ROBOT");
   const double limit_m = is_old ? kFirstLmsCode_m : limit_m_of(scan);
   if (!is_old) append_configuration(line, scan, limit_m);
-  append_readings(line, scan, std::max(limit_m, kNoReturnReading_m));
+  append_readings(line, scan, std::max(limit_m, kLastLmsCode_m));
   if (!is_old) append_field(line, 0);  // num_remissions
   if (is_old || is_robot) {
     append_pose(line, scan.X_OR);  // the laser's; where it is mounted is not known

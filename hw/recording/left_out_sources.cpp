@@ -33,7 +33,7 @@ void LeftOutSources::add_unread(std::string_view form) {
 std::string LeftOutSources::text(const std::string& only) const {
   std::string text = only.empty() ? "" : " with only=" + only;
   append_list(text, "; it has scans of ", names_);
-  append_list(text, " that can be read, but ", unread_);
+  append_list(text, "; not read: ", unread_);
   return text;
 }
 

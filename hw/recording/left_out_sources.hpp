@@ -17,8 +17,8 @@ class LeftOutSources {
   /// Scans in a form that is not read: "sensor_msgs/LaserScan in ros1".
   void add_unread(std::string_view form);
 
-  /// What follows "holds no scan": " with only=RLASER; it has scans of FLASER, RAWLASER1", or " that can be
-  /// read, but sensor_msgs/LaserScan in ros1". Empty where nothing was left out.
+  /// What follows "holds no scan": " with only=RLASER; it has scans of FLASER, RAWLASER1", or "; not read:
+  /// sensor_msgs/LaserScan in ros1". Empty where nothing was left out.
   std::string text(const std::string& only) const;
 
  private:

@@ -107,7 +107,7 @@ void ScipOptions::validate() const {
   require(baud > 0 && baud <= 4000000, "scip.baud", baud, "[1, 4000000]");
 }
 
-std::string scip_status(const std::vector<std::string>& lines) {
+std::string scip_status(std::span<const std::string> lines) {
   if (lines.size() < 2) return "";
   const auto body = strip_sum(lines[1]);
   return body && body->size() == 2 ? std::string(*body) : "";
@@ -218,7 +218,7 @@ ScipScans::Outcome ScipScans::take(const std::vector<std::string>& message, doub
   const auto begin = std::find_if(message.begin(), message.end(),
                                   [&](const std::string& line) { return line.starts_with(echo); });
   if (begin == message.end()) return Outcome::kDamaged;
-  const std::vector<std::string> lines(begin, message.end());
+  const std::span<const std::string> lines(begin, message.end());
   const std::string status = scip_status(lines);
   if (status == "00") return Outcome::kOther;
   if (status.empty()) return Outcome::kDamaged;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/scan/range_sensor.hpp"
@@ -72,7 +73,7 @@ class ScipClient {
 };
 
 /// Two characters of a reply's status line: "00" is fine; "" where the line's sum is wrong.
-std::string scip_status(const std::vector<std::string>& lines);
+std::string scip_status(std::span<const std::string> lines);
 
 /// Makes scans of the messages of an MD stream.
 class ScipScans {
@@ -86,10 +87,10 @@ class ScipScans {
 
   /// @param sent_s  when the sensor began to send the message, at the end of the sweep at the earliest. The
   ///                stamp in it is of step 0, the scan's time that of its first beam.
-  /// @returns kScan where `scan` is a new one; kDamaged where sums or counts are wrong; kFault where the
-  /// sensor
+  /// @returns kScan where `scan` is a new one; kDamaged where echo, sums or counts are wrong; kFault where
+  /// the sensor
   ///          reports that it stopped.
-  Outcome take(const std::vector<std::string>& lines, double sent_s, LaserScan& scan);
+  Outcome take(const std::vector<std::string>& message, double sent_s, LaserScan& scan);
 
  private:
   bool read_ranges(const std::string& data, LaserScan& scan) const;

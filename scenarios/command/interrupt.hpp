@@ -10,7 +10,8 @@ namespace scanbed::scenarios {
 
 /// From now on the first SIGINT, and any SIGTERM or SIGHUP, only sets a mark, so that work in hand is
 /// finished and written; a second SIGINT ends the program at once. SIGHUP stays ignored where it is (nohup).
-/// A write to a pipe that nobody reads becomes an error of that write.
+/// A write to a pipe that nobody reads, or beyond a limit on the size of files, becomes an error of that
+/// write.
 void watch_signals();
 
 /// Which of these arrived last since watch_signals(); 0 where none did.

@@ -153,7 +153,7 @@ void warn_of_collisions(const RunResult& result) {
 // Whoever waits for gates should know that there was nothing to hold against them.
 void warn_of_missing_truth(const RunResult& result, const Scenario& scenario) {
   if (result.scores || result.num_scans == 0 || scenario.needs.empty()) return;
-  log_warning(result.scenario + ": not scored: this laser brings no truth, so no gate was measured");
+  log_warning(fmt::format("{}: {}", result.scenario, kNotScored));
 }
 
 // Tells of each run as it ends, and of all of them.

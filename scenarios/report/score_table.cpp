@@ -108,7 +108,7 @@ void append_expectations(std::string& out, const std::vector<ExpectResult>& expe
 void append_counts(std::string& out, const RunResult& result) {
   append_format(out, "\n  {} lines, {} circles, {} legs detected\n", result.features.lines,
                 result.features.circles, result.features.legs);
-  out += "  not scored: this laser brings no truth, so no gate was measured\n";
+  append_format(out, "  {}\n", kNotScored);
 }
 
 template <typename Results>

@@ -109,7 +109,8 @@ TEST(ColaLaserTest, WaitsForTheMotorAlsoWhereTheLogInIsRefused) {
   expect_true_scans(*laser, 5, 541);
 }
 
-/// An emulated sensor that answers one request with an error, for some times.
+/// An emulated sensor that answers one request with an error, or not at all where there is none, for some
+/// times; lists all requests.
 class RefusingCola final : public ByteDevice {
  public:
   RefusingCola(ByteDevice& sensor, std::string request, std::string error, int num_times)
@@ -118,8 +119,9 @@ class RefusingCola final : public ByteDevice {
   void receive(ByteView bytes, double now_s) override {
     reader_.feed(bytes);
     for (std::string body; reader_.next(body);) {
+      requests.push_back(body);
       const bool is_refused = body.starts_with(request_) && num_refused < num_times_;
-      if (is_refused) refusal_ = frame_cola(error_);
+      if (is_refused && !error_.empty()) refusal_ = frame_cola(error_);
       num_refused += is_refused ? 1 : 0;
       if (!is_refused) sensor_.receive(frame_cola(body), now_s);
     }
@@ -133,6 +135,7 @@ class RefusingCola final : public ByteDevice {
   void hang_up() override { sensor_.hang_up(); }
 
   std::atomic<int> num_refused = 0;
+  std::vector<std::string> requests;  // to be read when nobody serves it any more
 
  private:
   ByteDevice& sensor_;
@@ -143,35 +146,11 @@ class RefusingCola final : public ByteDevice {
   Bytes refusal_;
 };
 
-/// An emulated sensor that never hears one request, and lists all.
-class DeafCola final : public ByteDevice {
- public:
-  DeafCola(ByteDevice& sensor, std::string request) : sensor_(sensor), request_(std::move(request)) {}
-
-  void receive(ByteView bytes, double now_s) override {
-    reader_.feed(bytes);
-    for (std::string body; reader_.next(body);) {
-      requests.push_back(body);
-      if (!body.starts_with(request_)) sensor_.receive(frame_cola(body), now_s);
-    }
-  }
-  void run(double now_s, Bytes& out) override { sensor_.run(now_s, out); }
-  double next_event_s() const override { return sensor_.next_event_s(); }
-  void hang_up() override { sensor_.hang_up(); }
-
-  std::vector<std::string> requests;
-
- private:
-  ByteDevice& sensor_;
-  std::string request_;
-  ColaReader reader_;
-};
-
 // While somebody is logged in, an LMS sends nothing to anybody.
 TEST(ColaLaserTest, LogsOutAlsoWhereItGivesUp) {
   WideSensor source;
   EmulatedCola emulated({}, source);
-  DeafCola sensor(emulated, "sMN LMCstartmeas");
+  RefusingCola sensor(emulated, "sMN LMCstartmeas", "", 1);
   {
     RunningDevice running(sensor);
     ColaOptions options = network(running.port());

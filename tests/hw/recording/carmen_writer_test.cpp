@@ -85,7 +85,10 @@ TEST(CarmenWriterTest, LasersAreToldApart) {
     found.push_back(scan.source);
   EXPECT_EQ(found, (std::vector<std::string>{"RAWLASER1", "RAWLASER2", "RAWLASER1", "RAWLASER4",
                                              "ROBOTLASER1", "ROBOTLASER2"}));
-  for (int i = 0; i < 5; ++i) scans[i].source = "laser" + std::to_string(i), scans[i].X_OR.reset();
+  for (std::size_t i = 0; i < 5; ++i) {
+    scans[i].source = "laser" + std::to_string(i);
+    scans[i].X_OR.reset();
+  }
   EXPECT_THROW(recorded("x.log", scans), InputError);
 }
 

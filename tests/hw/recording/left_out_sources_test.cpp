@@ -17,7 +17,7 @@ TEST(LeftOutSourcesTest, NamesTheFilterAndWhatThereIsInstead) {
 TEST(LeftOutSourcesTest, NamesWhatCannotBeRead) {
   LeftOutSources sources;
   sources.add_unread("x/LaserScan in ros1");
-  EXPECT_EQ(sources.text(""), " that can be read, but x/LaserScan in ros1");
+  EXPECT_EQ(sources.text(""), "; not read: x/LaserScan in ros1");
 }
 
 TEST(LeftOutSourcesTest, StaysAMessageWhateverTheNames) {

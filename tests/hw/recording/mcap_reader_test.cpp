@@ -88,7 +88,7 @@ TEST(McapReaderTest, SaysWhichScansItDoesNotRead) {
   const std::string ros =
       file(schema(1, "sensor_msgs/LaserScan") + channel(1, 1, "/scan", "ros1") + message(1, "x"));
   EXPECT_NE(read_all(ros, "x.mcap")
-                .error.find("holds no scan that can be read, but sensor_msgs/LaserScan in ros1 "
+                .error.find("holds no scan; not read: sensor_msgs/LaserScan in ros1 "
                             "(read: foxglove.LaserScan in json)"),
             std::string::npos)
       << read_all(ros, "x.mcap").error;

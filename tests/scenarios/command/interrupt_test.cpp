@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/command/interrupt.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -25,6 +30,22 @@ TEST(InterruptTest, MarksTheFirstAndDiesOfTheSecond) {
   EXPECT_EXIT(::raise(SIGINT), ::testing::KilledBySignal(SIGINT), "");
   watch_signals();
   EXPECT_FALSE(is_interrupted());
+}
+
+// In a process of its own, since the limit stays.
+TEST(InterruptTest, ALimitOnFilesIsAnErrorOfTheWrite) {
+  const testing::TemporaryFolder folder;
+  const std::string file = (folder / "x").string();
+  const auto write_too_much = [&] {
+    watch_signals();
+    const rlimit limit{10, 10};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT, 0600);
+    const std::string text(10, 'x');
+    const bool fits = ::write(descriptor, text.data(), text.size()) == 10;
+    std::exit(fits && ::write(descriptor, text.data(), text.size()) < 0 && errno == EFBIG ? 0 : 1);
+  };
+  EXPECT_EXIT(write_too_much(), ::testing::ExitedWithCode(0), "");
 }
 
 /// What is left of a run that a signal meets in the middle of it.
