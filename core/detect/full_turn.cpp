@@ -40,6 +40,17 @@ int num_beams_in_turn(const LaserScan& scan) {
   return std::abs(num_beams - 1 - turn) < 0.5 ? num_beams - 1 : 0;
 }
 
+int num_beams_to_same_direction(const ScanGeometry& geometry) {
+  constexpr double kMost = 1e9;
+  return static_cast<int>(std::min(kMost, std::round(2.0 * kPi / std::abs(geometry.step_rad))));
+}
+
+BeamSpan middle_turn(const LaserScan& scan) {
+  const int num_in_turn = num_beams_to_same_direction(scan.geometry);
+  const int num_before = std::max(0, scan.num_beams() - num_in_turn) / 2;
+  return {num_before, std::min(scan.num_beams(), num_before + num_in_turn) - 1};
+}
+
 const LaserScan& FullTurn::unroll(const LaserScan& scan) {
   num_beams_ = num_beams_in_turn(scan);
   if (num_beams_ == 0) return scan;

@@ -13,6 +13,13 @@ namespace scanbed {
 /// sensors points where the first does. 0 where it has less than a turn, or fewer than 8 beams.
 int num_beams_in_turn(const LaserScan& scan);
 
+/// How many beams on a beam points the same way again, as far as this step goes.
+int num_beams_to_same_direction(const ScanGeometry& geometry);
+
+/// All beams; where they go beyond a turn, as those of an unrolled scan do, the turn in their middle, in
+/// which no two point the same way.
+BeamSpan middle_turn(const LaserScan& scan);
+
 /// A scan all around has no first beam: where it happens to begin is a seam through whatever stands there.
 /// Unrolls such a scan from its largest step of range on, and a quarter of a turn beyond on both sides, so
 /// that whatever is found in the turn between has all its surroundings; and takes what was found back.

@@ -67,12 +67,12 @@ Option surface(std::string_view path, std::string_view effect) {
 
 template <auto kMember>
 Option interpret(std::string_view path, std::string_view effect) {
-  return row<&All::interpret, kMember>(path, effect);
+  return row<&All::interpret, kMember>(path, effect, kInterpretation);
 }
 
 template <auto kMember>
 Option track(std::string_view path, std::string_view effect) {
-  return row<&All::track, kMember>(path, effect);
+  return row<&All::track, kMember>(path, effect, kTracking);
 }
 
 const std::array kTable = {
@@ -270,6 +270,10 @@ std::string_view to_string(OptionReader reader) {
       return "leg.scorer: rules";
     case OptionReader::kSegments:
       return "the paper pipeline or leg.scorer: rules";
+    case OptionReader::kInterpretation:
+      return "the interpretation of scenes";
+    case OptionReader::kTracking:
+      return "tracking";
   }
   return "";
 }
@@ -279,6 +283,8 @@ bool Option::is_read(const AnalysisOptions& options) const {
   const bool has_rules = options.detector.leg.scorer == LegScorer::kRules;
   switch (reader) {
     case OptionReader::kBoth:
+    case OptionReader::kInterpretation:
+    case OptionReader::kTracking:
       return true;
     case OptionReader::kPaper:
       return is_paper;

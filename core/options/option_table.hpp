@@ -13,11 +13,13 @@ enum class OptionKind { kReal, kWhole, kFlag, kChoice };
 
 /// What reads an option.
 enum class OptionReader {
-  kBoth,      ///< both pipelines
-  kPaper,     ///< the paper pipeline
-  kRobust,    ///< the robust pipeline
-  kLegRules,  ///< rules that tell legs: leg.scorer
-  kSegments,  ///< the paper pipeline, and rules that tell legs in any
+  kBoth,            ///< both pipelines
+  kPaper,           ///< the paper pipeline
+  kRobust,          ///< the robust pipeline
+  kLegRules,        ///< rules that tell legs: leg.scorer
+  kSegments,        ///< the paper pipeline, and rules that tell legs in any
+  kInterpretation,  ///< of scenes, after any detection
+  kTracking,        ///< after any detection
 };
 
 /// "the paper pipeline"; for a message that only this reads the option.
@@ -36,7 +38,7 @@ struct Option {
   std::string_view group() const;  ///< "circle"; empty where the option stands in none
   std::string_view name() const;   ///< "max_std_rad"
   std::string_view unit() const;   ///< "rad", as the name's ending says; empty where it has none
-  /// Whether it makes a difference beside the other options.
+  /// Whether it makes a difference beside the other options, where scenes are interpreted and tracked.
   bool is_read(const AnalysisOptions& options) const;
   /// The value as configuration files write it.
   std::string text(const AnalysisOptions& options) const;

@@ -1,93 +1,69 @@
 // SPDX-License-Identifier: MIT
 #include "hw/serial/recovering_laser.hpp"
 
-#include <condition_variable>
-#include <deque>
-#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
 
-#include "hw/serial/final_fault.hpp"
+#include "hw/serial/attempts.hpp"
+#include "hw/serial/scan_queue.hpp"
 
 namespace scanbed::hw {
 
 struct RecoveringLaser::Impl {
-  void work();
-  bool try_again(const SensorFault& fault);
-  void give(LaserScan& scan);
-  void fail(std::exception_ptr fault);
+  Impl(std::string given_name, const RecoveryOptions& given, Attempt given_attempt);
+  ~Impl();
 
-  std::string name;
-  RecoveryOptions options;
-  Attempt attempt;
+  void work();
+  bool may_go_on(const SensorFault& fault);
+
+  const std::string name;
+  const RecoveryOptions options;
+  const Attempt attempt;
   ScanGeometry geometry;
   StopSignal stop;
+  ScanQueue queue;
+  int num_failures = 0;  // of the worker alone
 
   std::mutex mutex;
-  std::condition_variable changed;
-  std::deque<LaserScan> waiting;
-  std::exception_ptr failure;
   std::string last_fault;
-  std::int64_t num_scans = 0;
-  int num_failures = 0;
 
   std::thread worker;
 };
 
-void RecoveringLaser::Impl::fail(std::exception_ptr fault) {
-  const std::lock_guard lock(mutex);
-  failure = std::move(fault);
-  changed.notify_all();
+RecoveringLaser::Impl::Impl(std::string given_name, const RecoveryOptions& given, Attempt given_attempt)
+    : name(std::move(given_name)),
+      options(given),
+      attempt(std::move(given_attempt)),
+      queue(given.max_waiting, ScanQueue::Full::kDropsOldest) {
+  worker = std::thread([this] { work(); });
 }
 
-bool RecoveringLaser::Impl::try_again(const SensorFault& fault) {
-  const std::lock_guard lock(mutex);
-  last_fault = fault.what();
-  return num_scans > 0 || ++num_failures < options.num_first_attempts;
+RecoveringLaser::Impl::~Impl() {
+  stop.give();
+  worker.join();
 }
 
-void RecoveringLaser::Impl::give(LaserScan& scan) {
-  const std::lock_guard lock(mutex);
-  scan.index = num_scans++;
-  if (waiting.size() >= static_cast<std::size_t>(options.max_waiting)) waiting.pop_front();
-  waiting.push_back(scan);
-  changed.notify_all();
+bool RecoveringLaser::Impl::may_go_on(const SensorFault& fault) {
+  {
+    const std::lock_guard lock(mutex);
+    last_fault = fault.what();
+  }
+  return queue.num_pushed() > 0 || ++num_failures < options.num_first_attempts;
 }
 
 void RecoveringLaser::Impl::work() {
-  while (true) {
-    try {
-      attempt([this](LaserScan& scan) { give(scan); }, stop);
-    } catch (const Stopped&) {
-      return;
-    } catch (const DeviceRefusal&) {
-      return fail(std::current_exception());
-    } catch (const SensorFault& fault) {
-      if (!try_again(fault)) return fail(std::make_exception_ptr(final_fault(name, fault)));
-    } catch (const std::exception&) {
-      return fail(std::current_exception());
-    }
-    try {
-      stop.sleep(options.pause_s);
-    } catch (const Stopped&) {
-      return;
-    }
-  }
+  const Attempts attempts{.device = name,
+                          .pause_s = options.pause_s,
+                          .attempt = [this] { attempt([this](LaserScan& scan) { queue.push(scan); }, stop); },
+                          .may_go_on = [this](const SensorFault& fault) { return may_go_on(fault); }};
+  if (const auto reason = keep_trying(attempts, stop)) queue.fail(reason);
 }
 
 RecoveringLaser::RecoveringLaser(std::string name, const RecoveryOptions& options, Attempt attempt)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->name = std::move(name);
-  impl_->options = options;
-  impl_->attempt = std::move(attempt);
-  impl_->worker = std::thread([this] { impl_->work(); });
-}
+    : impl_(std::make_unique<Impl>(std::move(name), options, std::move(attempt))) {}
 
-RecoveringLaser::~RecoveringLaser() {
-  impl_->stop.give();
-  impl_->worker.join();
-}
+RecoveringLaser::~RecoveringLaser() = default;
 
 const ScanGeometry& RecoveringLaser::geometry() const {
   return impl_->geometry;
@@ -95,15 +71,11 @@ const ScanGeometry& RecoveringLaser::geometry() const {
 
 bool RecoveringLaser::next(LaserScan& scan, Seconds timeout) {
   Impl& s = *impl_;
-  std::unique_lock lock(s.mutex);
-  s.changed.wait_for(lock, timeout, [&] { return !s.waiting.empty() || s.failure; });
-  if (!s.waiting.empty()) {
-    scan = std::move(s.waiting.front());
-    s.waiting.pop_front();
+  if (s.queue.pop(scan, timeout) == ScanQueue::Popped::kScan) {
     s.geometry = scan.geometry;
     return true;
   }
-  if (s.failure) std::rethrow_exception(s.failure);
+  const std::lock_guard lock(s.mutex);
   throw SensorFault(
       SensorFault::Kind::kTimeout,
       s.name + ": no scan in time" + (s.last_fault.empty() ? "" : " (before: " + s.last_fault + ")"));

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "hw/sick/sick_lms.hpp"
 
-#include <algorithm>
-#include <condition_variable>
-#include <deque>
-#include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "core/errors/sensor_fault.hpp"
-#include "hw/serial/final_fault.hpp"
+#include "hw/serial/attempts.hpp"
+#include "hw/serial/scan_queue.hpp"
 #include "hw/serial/serial_port.hpp"
 #include "hw/serial/steady_clock.hpp"
 #include "hw/sick/lms_session.hpp"
@@ -42,24 +39,25 @@ struct SickLms::Impl {
   explicit Impl(const SickOptions& given);
   ~Impl();
 
+  void end();
   void work();
-  bool try_again(const SensorFault& fault);
   void attempt();
+  bool try_again(const SensorFault& fault);
   void leave(std::optional<SerialPort>& port, double answer_s) const;
   void open_and_stream(SerialPort& port);
   void stream(LmsLink& link, const LmsConfiguration& configuration);
   bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
   void push(LaserScan& scan);
-  void make_room(std::unique_lock<std::mutex>& lock);
   void count(const LmsLink& link);
   void enter(const char* state);
-  void give_up(std::exception_ptr fault);
+  void give_up(std::exception_ptr reason);
 
   const SickOptions options;
   const ScanGeometry geometry;
   // A first scan may have begun before this did, and its time must not be negative: recordings have none.
   const double start_s = steady_now_s() - telegram_s(options) - scan_s(geometry);
   StopSignal stop;
+  ScanQueue queue;
 
   // Of the worker alone.
   LaserScan scan;
@@ -73,10 +71,7 @@ struct SickLms::Impl {
   DecoderCounts seen;  // what this link's decoder had counted when it was last asked
 
   mutable std::mutex mutex;
-  std::condition_variable changed;
-  std::deque<LaserScan> waiting;
-  std::exception_ptr failure;
-  SickReport report;
+  SickReport report;  // but for what the queue counts
 
   std::thread worker;
 };
@@ -85,17 +80,20 @@ SickLms::Impl::Impl(const SickOptions& given)
     : options(validated(given)),
       geometry(sick_geometry(options,
                              lms_word_format(options.measuring_mode.value_or(0)).value_or(LmsWordFormat{}))),
+      queue(options.max_waiting,
+            options.is_lossless ? ScanQueue::Full::kWaits : ScanQueue::Full::kDropsOldest),
       last_good_baud(options.baud) {
   worker = std::thread([this] { work(); });
 }
 
 SickLms::Impl::~Impl() {
-  {
-    const std::lock_guard lock(mutex);
-    stop.give();
-    changed.notify_all();
-  }
+  end();
   worker.join();
+}
+
+void SickLms::Impl::end() {
+  stop.give();
+  queue.close();
 }
 
 void SickLms::Impl::enter(const char* state) {
@@ -103,11 +101,9 @@ void SickLms::Impl::enter(const char* state) {
   report.state = state;
 }
 
-void SickLms::Impl::give_up(std::exception_ptr fault) {
-  const std::lock_guard lock(mutex);
-  failure = std::move(fault);
-  report.state = "failed";
-  changed.notify_all();
+void SickLms::Impl::give_up(std::exception_ptr reason) {
+  enter("failed");
+  queue.fail(std::move(reason));
 }
 
 /// Whether a fault is one to recover from.
@@ -125,24 +121,11 @@ bool SickLms::Impl::try_again(const SensorFault& fault) {
 }
 
 void SickLms::Impl::work() {
-  while (true) {
-    try {
-      attempt();
-    } catch (const Stopped&) {
-      return;
-    } catch (const DeviceRefusal&) {
-      return give_up(std::current_exception());
-    } catch (const SensorFault& fault) {
-      if (gives_up) return give_up(std::make_exception_ptr(final_fault(options.path, fault)));
-    } catch (const std::exception&) {
-      return give_up(std::current_exception());
-    }
-    try {
-      stop.sleep(options.patience.pause_s);
-    } catch (const Stopped&) {
-      return;
-    }
-  }
+  const Attempts attempts{.device = options.path,
+                          .pause_s = options.patience.pause_s,
+                          .attempt = [this] { attempt(); },
+                          .may_go_on = [this](const SensorFault&) { return !gives_up; }};
+  if (const auto reason = keep_trying(attempts, stop)) give_up(reason);
 }
 
 void SickLms::Impl::attempt() {
@@ -244,25 +227,13 @@ bool SickLms::Impl::handle(const WireItem& item, double arrival_s, ScanAssembler
   return false;
 }
 
-void SickLms::Impl::make_room(std::unique_lock<std::mutex>& lock) {
-  const auto has_room = [this] { return waiting.size() < static_cast<std::size_t>(options.max_waiting); };
-  if (options.is_lossless) {
-    changed.wait(lock, [&] { return has_room() || stop.is_given(); });
-    if (stop.is_given()) throw Stopped{};
-  } else if (!has_room()) {
-    waiting.pop_front();
-    ++report.num_dropped;
-  }
-}
-
 void SickLms::Impl::push(LaserScan& next) {
   has_streamed = true;
-  std::unique_lock lock(mutex);
-  make_room(lock);
-  next.index = report.num_scans++;
-  report.health = next.health;
-  waiting.push_back(next);
-  changed.notify_all();
+  {
+    const std::lock_guard lock(mutex);
+    report.health = next.health;
+  }
+  queue.push(next);
 }
 
 SickLms::SickLms(const SickOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -274,32 +245,30 @@ const ScanGeometry& SickLms::geometry() const {
 }
 
 void SickLms::stop() {
-  // Under the lock, so that whoever is about to wait sees it.
-  const std::lock_guard lock(impl_->mutex);
-  impl_->stop.give();
-  impl_->changed.notify_all();
+  impl_->end();
 }
 
 SickReport SickLms::report() const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->report;
+  SickReport report = impl_->report;
+  report.num_scans = impl_->queue.num_pushed();
+  report.num_dropped = impl_->queue.num_dropped();
+  return report;
 }
 
 bool SickLms::next(LaserScan& scan, Seconds timeout) {
-  Impl& s = *impl_;
-  std::unique_lock lock(s.mutex);
-  s.changed.wait_for(lock, timeout, [&] { return !s.waiting.empty() || s.failure || s.stop.is_given(); });
-  if (s.stop.is_given()) return false;
-  if (!s.waiting.empty()) {
-    scan = std::move(s.waiting.front());
-    s.waiting.pop_front();
-    s.changed.notify_all();
-    return true;
+  switch (impl_->queue.pop(scan, timeout)) {
+    case ScanQueue::Popped::kScan:
+      return true;
+    case ScanQueue::Popped::kClosed:
+      return false;
+    case ScanQueue::Popped::kTimeout:
+      break;
   }
-  if (s.failure) std::rethrow_exception(s.failure);
+  const SickReport now = report();
   throw SensorFault(SensorFault::Kind::kTimeout,
-                    s.options.path + ": no scan in time while " + s.report.state +
-                        (s.report.last_fault.empty() ? "" : " (before: " + s.report.last_fault + ")"));
+                    impl_->options.path + ": no scan in time while " + now.state +
+                        (now.last_fault.empty() ? "" : " (before: " + now.last_fault + ")"));
 }
 
 }  // namespace scanbed::hw

@@ -122,7 +122,8 @@ DetectCommand to_detect(const DetectTexts& texts) {
 
 ExitCode execute(const DetectCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
-  const AnalysisOptions options = open_detector(command.detector, settings.detector);
+  const AnalysisOptions options = open_detector(command.detector, settings.detector,
+                                                {.tracks = command.track, .interprets = command.interpret});
   FeatureDetector detector(options.detector);
   Analyst analyst(detector, {.track = command.track,
                              .interpret = command.interpret,

@@ -72,8 +72,9 @@ std::string to_text(const hw::RecordingCounts& counts) {
                      plural(counts.num_other_lines, "other line"));
 }
 
-AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings) {
-  const DetectorSettings result = detector_settings(choice, settings);
+AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings,
+                              const AnalysisSteps& steps) {
+  const DetectorSettings result = detector_settings(choice, settings, steps);
   for (const IdleOption& idle : result.idle) {
     log_warning(fmt::format("{}: changes nothing here, only {} reads it", idle.name, idle.reader));
   }

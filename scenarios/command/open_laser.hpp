@@ -41,7 +41,8 @@ std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec);
 std::string to_text(const hw::RecordingCounts& counts);
 
 /// What the command line asks of detection; options that would change nothing become warnings.
-AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings);
+AnalysisOptions open_detector(const DetectorChoice& choice, std::span<const Setting> settings,
+                              const AnalysisSteps& steps);
 
 /// Settings by what they are for: options of detection and Table II names, all else for the scenario.
 struct SortedSettings {

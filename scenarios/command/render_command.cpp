@@ -256,7 +256,8 @@ RenderCommand to_render(const RenderTexts& texts) {
 
 ExitCode execute(const RenderCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
-  FeatureDetector detector(open_detector(command.detector, settings.detector).detector);
+  constexpr AnalysisSteps kNone{.tracks = false, .interprets = false};
+  FeatureDetector detector(open_detector(command.detector, settings.detector, kNone).detector);
   const Scenario scenario = open_scenario(command.scenario, settings.scenario, command.seed);
   if (command.out) {
     const ExitCode code = render_picture(command, scenario, detector);

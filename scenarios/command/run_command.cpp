@@ -268,7 +268,8 @@ RunCommand to_run(const RunTexts& texts) {
 ExitCode execute(const RunCommand& command) {
   check_laser(command);
   const SortedSettings settings = sort_settings(command.settings);
-  const AnalysisOptions options = open_detector(command.detector, settings.detector);
+  const AnalysisOptions options =
+      open_detector(command.detector, settings.detector, {.tracks = command.track, .interprets = false});
   std::vector<Task> tasks = tasks_of(command, settings.scenario);
   check_tasks(command, tasks);
   Reporter reporter(command, static_cast<int>(tasks.size()));

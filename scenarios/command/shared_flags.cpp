@@ -85,7 +85,7 @@ FlagFile RecordFlag::file() const {
 }
 
 Flag DetectorFlags::preset_flag() {
-  return {"--preset", "NAME", "Detectors: robust, or the paper's", &preset};
+  return {"--preset", "NAME", "Detectors: robust (default), or paper", &preset};
 }
 
 Flag DetectorFlags::config_flag() {
@@ -93,7 +93,7 @@ Flag DetectorFlags::config_flag() {
 }
 
 DetectorChoice DetectorFlags::value() const {
-  return {.preset = preset, .config = to_path(config)};
+  return {.preset = preset.empty() ? std::nullopt : std::optional(preset), .config = to_path(config)};
 }
 
 FlagFile DetectorFlags::file() const {

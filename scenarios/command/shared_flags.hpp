@@ -63,7 +63,7 @@ struct RecordFlag {
 
 /// `--preset NAME`, `--config FILE`.
 struct DetectorFlags {
-  std::string preset = DetectorChoice{}.preset;
+  std::string preset;
   std::string config;
 
   Flag preset_flag();

@@ -144,14 +144,29 @@ TreeNode read_config(const std::filesystem::path& path) {
   return root;
 }
 
-std::vector<IdleOption> idle_of(const std::vector<Given>& given, const AnalysisOptions& options) {
-  std::vector<IdleOption> idle;
+bool is_among(const AnalysisSteps& steps, OptionReader reader) {
+  if (reader == OptionReader::kInterpretation) return steps.interprets;
+  if (reader == OptionReader::kTracking) return steps.tracks || steps.interprets;
+  return true;
+}
+
+void list_idle(const std::vector<Given>& given, const AnalysisOptions& options, const AnalysisSteps& steps,
+               std::vector<IdleOption>& idle) {
   for (const Given& one : given) {
     const Option* option = find_option(one.path);
-    if (option == nullptr || option->is_read(options)) continue;
+    if (option == nullptr || (option->is_read(options) && is_among(steps, option->reader))) continue;
     idle.push_back({one.name, to_string(option->reader)});
   }
-  return idle;
+}
+
+// Which of the two was meant, nobody could tell.
+void refuse_another_preset(const DetectorChoice& choice, const std::vector<Given>& given,
+                           const AnalysisOptions& options) {
+  const auto pipeline =
+      std::find_if(given.begin(), given.end(), [](const Given& one) { return one.path == "pipeline"; });
+  if (!choice.preset || pipeline == given.end() || preset_of(options) == *choice.preset) return;
+  refuse(pipeline->place, fmt::format("pipeline: is {}, but --preset is {}; allowed: one of the two",
+                                      preset_of(options), *choice.preset));
 }
 
 std::string comment_of(const Option& option, const AnalysisOptions& options) {
@@ -186,22 +201,28 @@ std::string near_detector_setting_hint(std::string_view path) {
   return near_name_hint(path, names);
 }
 
-DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings) {
-  AnalysisOptions options = options_of(choice.preset);
-  std::vector<Given> given;
-  const auto read = [&](const TreeNode& root) {
+DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings,
+                                   const AnalysisSteps& steps) {
+  AnalysisOptions options = options_of(choice.preset.value_or(kDefaultPreset));
+  std::vector<Given> in_file;
+  std::vector<Given> set;
+  const auto read = [&](const TreeNode& root, std::vector<Given>& given) {
     Reader reader(options);
     reader.read(root);
     given.insert(given.end(), reader.given().begin(), reader.given().end());
   };
-  if (choice.config) read(read_config(*choice.config));
+  if (choice.config) read(read_config(*choice.config), in_file);
+  refuse_another_preset(choice, in_file, options);
   for (const Setting& setting : settings) {
     TreeNode root;
     set_path(root, setting);
-    read(root);
+    read(root, set);
   }
   // In the end, since a later setting may choose who reads an earlier one.
-  return {.options = options, .idle = idle_of(given, options)};
+  std::vector<IdleOption> idle;
+  list_idle(in_file, options, {}, idle);
+  list_idle(set, options, steps, idle);
+  return {.options = options, .idle = idle};
 }
 
 std::string preset_of(const AnalysisOptions& options) {

@@ -15,9 +15,17 @@ namespace scanbed::scenarios {
 
 /// What the command line says about the detector.
 struct DetectorChoice {
-  std::string preset = "robust";
+  std::optional<std::string> preset;  ///< else kDefaultPreset
   std::optional<std::filesystem::path>
       config;  ///< YAML of options, as `scanbed options` prints, or Table II names
+};
+
+inline constexpr const char* kDefaultPreset = "robust";
+
+/// What is done with the features of a scan; interpretation asks what moves, and so tracks.
+struct AnalysisSteps {
+  bool tracks = true;
+  bool interprets = true;
 };
 
 /// An option that was asked for, but changes nothing.
@@ -44,10 +52,12 @@ std::string near_detector_setting_hint(std::string_view path);
 /// The preset, changed by the file, changed by the settings: options by their path ("circle.max_std_rad"), or
 /// Table II's names in its units.
 ///
+/// @param steps  what of a file's options they leave unread is not counted as idle: it may serve other runs.
 /// @throws InputError for an unknown preset, group or option, and naming option, value and allowed range; for
-/// a
-///                    file that is empty or gives one option under both its names.
-DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings);
+///                    a file that is empty, gives one option under both its names, or is for another preset
+///                    than the one asked for.
+DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings,
+                                   const AnalysisSteps& steps = {});
 
 /// The preset whose pipeline these options choose, whatever was changed in it.
 std::string preset_of(const AnalysisOptions& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/run/live_sensor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -59,6 +61,15 @@ void LiveSensor::watch(const SensorHealth& health) {
   if (options_.warn) options_.warn(describe(health));
 }
 
+// Devices number all scans, also those that nobody took in time.
+void LiveSensor::watch_numbers(std::int64_t index) {
+  const std::int64_t num_dropped = index + 1 - num_scans_;
+  if (num_dropped < num_dropped_to_tell_) return;
+  while (num_dropped_to_tell_ <= num_dropped) num_dropped_to_tell_ *= 10;
+  if (!options_.warn) return;
+  options_.warn(fmt::format("scans come faster than they are taken: {} dropped so far", num_dropped));
+}
+
 bool LiveSensor::next(LaserScan& scan, Seconds /*timeout*/) {
   if (options_.limit && num_scans_ >= *options_.limit) return false;
   if (!wait_for_scan(scan)) return false;
@@ -66,6 +77,7 @@ bool LiveSensor::next(LaserScan& scan, Seconds /*timeout*/) {
   if (!first_s_) first_s_ = scan.time_s;
   if (options_.from_zero) scan.time_s -= *first_s_;
   watch(scan.health);
+  watch_numbers(scan.index);
   truth_ = reader_ ? reader_->find(scan.range_m) : device_->truth();
   num_truths_ += truth_ != nullptr ? 1 : 0;
   return true;

@@ -20,8 +20,8 @@ struct LiveOptions {
   bool from_zero = false;             ///< times are counted from the first scan, as simulated ones are
   std::function<bool()> is_interrupted;        ///< asked ten times a second; true ends the stream
   std::optional<std::filesystem::path> truth;  ///< where truth of the scans is found
-  /// Told in one line when what the device says of its own state changes, and when scans stay away; may be
-  /// empty.
+  /// Told in one line when what the device says of its own state changes, when scans stay away, and when 1,
+  /// 10, 100, ... of them were dropped since they come faster than they are taken; may be empty.
   std::function<void(const std::string&)> warn;
 };
 
@@ -49,6 +49,7 @@ class LiveSensor final : public RangeSensor {
  private:
   bool wait_for_scan(LaserScan& scan);
   void watch(const SensorHealth& health);
+  void watch_numbers(std::int64_t index);
 
   std::unique_ptr<RangeSensor> device_;
   LiveOptions options_;
@@ -57,6 +58,7 @@ class LiveSensor final : public RangeSensor {
   SensorHealth health_;
   std::optional<double> first_s_;
   std::int64_t num_scans_ = 0;
+  std::int64_t num_dropped_to_tell_ = 1;
   std::int64_t num_truths_ = 0;
 };
 

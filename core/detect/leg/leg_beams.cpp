@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/detect/full_turn.hpp"
 #include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
@@ -27,6 +28,7 @@ void LegBeamReader::read(const LaserScan& scan, LegBeams& beams) {
   const ScanGeometry& g = scan.geometry;
   directions_.follow(scan);
   beams.num_beams = num_beams;
+  beams.turn = middle_turn(scan);
   beams.step_rad = std::abs(g.step_rad) > kMinStep_rad ? std::abs(g.step_rad) : kMinStep_rad;
   const int padded = (num_beams + kBlock - 1) / kBlock * kBlock + kBlock;
   for (std::vector<float>* values : {&beams.range_m, &beams.x_m, &beams.y_m}) {

@@ -25,10 +25,16 @@ struct LegBeams {
   std::vector<double> echo_range_m, echo_x_m, echo_y_m;
 
   int num_beams = 0;
+  BeamSpan turn;          ///< what is in its middle is seen once: middle_turn()
   double step_rad = 0.0;  ///< between neighbouring beams, positive
 
   void resize_echoes(std::size_t num_echoes);
   int num_echoes() const { return static_cast<int>(beam.size()); }
+  /// Whether the middle of such a span lies in the turn: not elsewhere, a second time.
+  bool counts(const BeamSpan& span) const {
+    const int middle = (span.first + span.last) / 2;
+    return middle >= turn.first && middle <= turn.last;
+  }
   /// These beams and so many on either side, as far as there are any.
   BeamSpan around(const BeamSpan& own, int num_beside) const {
     return {std::max(0, own.first - num_beside), std::min(num_beams - 1, own.last + num_beside)};

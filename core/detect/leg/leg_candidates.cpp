@@ -256,6 +256,11 @@ void LegCandidateFinder::find(const LegBeams& beams, LegCandidates& candidates) 
     std::swap(candidates.runs, merged_);
   }
   drop_repeated(candidates.runs);
+  const bool is_seen_twice = beams.turn.first > 0;
+  if (!is_seen_twice) return;
+  std::erase_if(candidates.runs, [&](const EchoRun& run) {
+    return !beams.counts({beams.beam[run.first], beams.beam[run.last]});
+  });
 }
 
 }  // namespace scanbed

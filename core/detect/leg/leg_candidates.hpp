@@ -32,6 +32,7 @@ struct LegSegmentation {
 
 /// What may be a leg: runs of at least 2 echoes, at most 0.55 m wide and 6 m away, of which the middle one
 /// lies in a run of the middle segmentation that is no wider than 0.55 m either: a wall's parts are no legs.
+/// What a scan that goes beyond a turn shows twice is one candidate.
 struct LegCandidates {
   static constexpr int kNumSegmentations = 3;
 

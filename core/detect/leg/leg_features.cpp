@@ -185,8 +185,9 @@ void LegFeatureReader::mark_surroundings(const LegBeams& beams, const LegSegment
       std::fill(around_.off_wall_m2.from(beams.beam[run.first]),
                 around_.off_wall_m2.from(beams.beam[run.last] + 1), 0.0F);
     } else if (run.size() >= 2 && width_m >= kMinSmallWidth_m && width_m <= kMaxSmallWidth_m) {
-      const Eigen::Vector2f p_m = centroid_m(beams, run).cast<float>();
       const BeamSpan span{beams.beam[run.first], beams.beam[run.last]};
+      if (!beams.counts(span)) continue;
+      const Eigen::Vector2f p_m = centroid_m(beams, run).cast<float>();
       small_runs_.push_back({{span, p_m.x(), p_m.y()}, static_cast<float>(width_m)});
     }
   }

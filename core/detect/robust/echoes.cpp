@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/full_turn.hpp"
 #include "core/simd/double_lanes.hpp"
 
 namespace scanbed {
@@ -195,10 +196,13 @@ std::optional<double> NoiseHistogram::sigma_m(std::span<const double> range_m) {
 void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
   echoes.directions.follow(scan);
   echoes.step_rad = std::abs(scan.geometry.step_rad);
+  echoes.num_beams_to_same_direction = num_beams_to_same_direction(scan.geometry);
   const int num_beams = scan.num_beams();
   resize(echoes, num_beams);
   resize(echoes, project(instructions_, EchoWriter(scan, echoes), num_beams));
-  const std::optional<double> sigma_m = noise_.sigma_m(scan.range_m);
+  const BeamSpan once = middle_turn(scan);
+  const std::optional<double> sigma_m =
+      noise_.sigma_m(std::span(scan.range_m).subspan(once.first, once.last - once.first + 1));
   echoes.range_noise_m = std::clamp(sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m,
                                     options.min_noise_m, options.max_noise_m);
   weigh(echoes);

@@ -20,11 +20,12 @@ namespace scanbed {
 struct Echoes {
   std::vector<int> beam;
   std::vector<double> range_m;
-  std::vector<double> x_m, y_m;       ///< the point
-  std::vector<double> weight_per_m2;  ///< 1 / variance of the range
-  BeamDirections directions;          ///< of all beams of the scan
-  double step_rad = 0.0;              ///< between neighbouring beams, positive
-  double range_noise_m = 0.0;         ///< sigma of a range on a plain surface
+  std::vector<double> x_m, y_m;         ///< the point
+  std::vector<double> weight_per_m2;    ///< 1 / variance of the range
+  BeamDirections directions;            ///< of all beams of the scan
+  double step_rad = 0.0;                ///< between neighbouring beams, positive
+  int num_beams_to_same_direction = 0;  ///< so many beams on, a beam points the same way again
+  double range_noise_m = 0.0;           ///< sigma of a range on a plain surface
 
   int size() const { return static_cast<int>(beam.size()); }
   Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/simd/double_lanes.hpp"
 
@@ -35,6 +36,16 @@ bool is_sure(const RayLine& line) {
 bool passes_near(const RayLine& line, const Eigen::Vector2d& p_m) {
   const double off = line.inverse_m.dot(p_m) - 1.0;
   return off * off <= kOtherWall_m * kOtherWall_m * line.inverse_m.squaredNorm();
+}
+
+// Whether two pieces share beams, or directions: in a scan that goes beyond a turn, a piece may see itself.
+bool see_the_same(const Echoes& echoes, Stretch a, Stretch b) {
+  const int turn = echoes.num_beams_to_same_direction;
+  const auto beam = [&](int place) { return static_cast<std::int64_t>(echoes.beam[place]); };
+  for (const int shift : {-turn, 0, turn}) {
+    if (beam(a.first) <= beam(b.last) + shift && beam(b.first) + shift <= beam(a.last)) return true;
+  }
+  return false;
 }
 
 // The largest distance of echoes to a line, two at a time.
@@ -129,7 +140,7 @@ RayLine WallLines::line_with_others(std::size_t wall) const {
   const std::size_t end = std::min(wall + 1 + kMaxPiecesBetween, walls_.size());
   for (std::size_t i = begin; i < end; ++i) {
     const Wall& other = walls_[i];
-    if (i == wall || !passes_near(other.line, middle_m)) continue;
+    if (!passes_near(other.line, middle_m) || see_the_same(*echoes_, places, other.places)) continue;
     const RayLine both = sums_->fit_both(places, other.places);
     if (both.direction_rad2 >= best.direction_rad2) continue;
     if (both.chi2 <= alone.chi2 + other.line.chi2 + options_->surface.line_price) best = both;

@@ -13,6 +13,7 @@
 
 #include "core/detect/feature_detector.hpp"
 #include "core/detect/presets.hpp"
+#include "core/geometry/polar.hpp"
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -152,6 +153,37 @@ TEST_P(ConformanceTest, BeamsWithoutEchoAtTheEndsShiftFeaturesAlone) {
       EXPECT_EQ(shifted.circles[i].beams.first, plain.circles[i].beams.first + kNumMore);
     }
   }
+}
+
+// A person, a post and a plate around the sensor, in a square room with a corner opposite the person.
+LaserScan turned_hall(double turn_rad, unsigned seed, int num_beams) {
+  IdealScene scene({.num_beams = num_beams, .first_rad = turn_rad - kPi, .step_rad = kPi / 360});
+  const auto at = [&](double bearing_rad, double range_m) { return polar(turn_rad + bearing_rad, range_m); };
+  for (int i = 0; i < 4; ++i) scene.wall(at(i * kPi / 2, 7.0), at((i + 1) * kPi / 2, 7.0));
+  scene.cylinder(at(0.05, 2.5), 0.06, Primitive::kLeg);
+  scene.cylinder(at(-0.05, 2.4), 0.06, Primitive::kLeg);
+  scene.cylinder(at(2.0, 1.8), 0.06);
+  scene.wall(at(-2.03, 4.0), at(-1.97, 4.0));
+  return with_noise(scene.scan(), 0.01, seed);
+}
+
+// An unrolled turn shows much of its surroundings twice; nothing may be lost, or be surer, by that. One beam
+// less, and it is no turn.
+TEST_P(ConformanceTest, AFullTurnShowsWhatATurnButForOneBeamShows) {
+  std::size_t num_legs = 0;
+  for (unsigned i = 0; i < 24; ++i) {
+    const Features turn = detect(turned_hall(i * kPi / 12, i, 720));
+    const Features almost = detect(turned_hall(i * kPi / 12, i, 719));
+    EXPECT_EQ(turn.lines.size(), almost.lines.size());
+    ASSERT_EQ(turn.circles.size(), almost.circles.size());
+    ASSERT_EQ(turn.legs.size(), almost.legs.size());
+    for (std::size_t k = 0; k < turn.legs.size(); ++k) {
+      EXPECT_NEAR((turn.legs[k].middle_m - almost.legs[k].middle_m).norm(), 0.0, kSame_m);
+      EXPECT_NEAR(turn.legs[k].score, almost.legs[k].score, kSame_m);
+    }
+    num_legs += turn.legs.size();
+  }
+  EXPECT_GE(num_legs, 40u);
 }
 
 // The same beams, and where the sensor has it the first one again behind the last.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/geometry/polar.hpp"
 
@@ -50,6 +51,21 @@ TEST(FullTurnTest, LessThanATurnIsLeftAsItIs) {
   turn.roll(features);
   EXPECT_EQ(features.legs[0].beams.first, 3);
   EXPECT_EQ(features.legs[0].middle_m, leg_of(nearly, 3, 5).middle_m);
+}
+
+TEST(FullTurnTest, TheMiddleTurnLooksNowhereTwice) {
+  LaserScan scan = turn_with_near_beams(5, 6);
+  EXPECT_EQ(num_beams_to_same_direction(scan.geometry), 12);
+  EXPECT_EQ(middle_turn(scan).first, 0);
+  EXPECT_EQ(middle_turn(scan).last, 11);
+  FullTurn turn;
+  const LaserScan& unrolled = turn.unroll(scan);
+  EXPECT_EQ(middle_turn(unrolled).first, 4);
+  EXPECT_EQ(middle_turn(unrolled).last, 4 + 11);
+  for (const double step_rad : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    scan.geometry.step_rad = step_rad;
+    EXPECT_EQ(middle_turn(scan).last, 11) << step_rad;
+  }
 }
 
 // It begins with the near beams, and has a quarter of a turn and one beam before it and behind it.

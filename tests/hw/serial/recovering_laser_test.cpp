@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <future>
+#include <string>
+#include <utility>
 
 #include "tests/support/least_time.hpp"
 
@@ -73,22 +74,6 @@ TEST(RecoveringLaserTest, TimesOutAndStopsAtOnce) {
     }
   };
   EXPECT_LT(tests::least_seconds(0.2, time_out_and_stop), 0.2);
-}
-
-TEST(RecoveringLaserTest, DropsTheOldestWhereNobodyTakesThem) {
-  std::promise<void> all_given;
-  auto laser = laser_of(
-      [&](const RecoveringLaser::Give& give, const StopSignal& stop) {
-        LaserScan scan;
-        for (int i = 0; i < 10; ++i) give(scan);
-        all_given.set_value();
-        stop.sleep(100.0);
-      },
-      {.max_waiting = 3});
-  all_given.get_future().wait();
-  LaserScan scan;
-  ASSERT_TRUE(laser.next(scan, kPatience));
-  EXPECT_EQ(scan.index, 7);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(CommandLineTest, RunsTheScenariosOwnSeedInTheSimulationByDefault) {
   EXPECT_FALSE(run.json.has_value());
   EXPECT_FALSE(run.out.has_value());
   EXPECT_FALSE(run.quiet);
-  EXPECT_EQ(run.detector.preset, "robust");
+  EXPECT_FALSE(run.detector.preset);
 }
 
 TEST(CommandLineTest, ReadsDetectRenderListAndValidate) {

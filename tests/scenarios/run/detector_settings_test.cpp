@@ -114,6 +114,34 @@ TEST(DetectorSettingsTest, NameWhatOnlyTheRulesForLegsRead) {
   EXPECT_TRUE(detector_settings({}, settings).idle.empty()) << "a later setting makes them count";
 }
 
+TEST(DetectorSettingsTest, NameWhatNoStepReads) {
+  const std::array<Setting, 2> settings = {Setting{"track.gate_m", "0.2"},
+                                           Setting{"interpret.min_door_m", "1"}};
+  const auto idle = [&](const AnalysisSteps& steps) { return detector_settings({}, settings, steps).idle; };
+  const IdleOption tracking{"track.gate_m", "tracking"};
+  const IdleOption interpretation{"interpret.min_door_m", "the interpretation of scenes"};
+  EXPECT_EQ(idle({.tracks = false, .interprets = false}), (std::vector{tracking, interpretation}));
+  EXPECT_EQ(idle({.tracks = true, .interprets = false}), std::vector{interpretation});
+  EXPECT_TRUE(idle({.tracks = false, .interprets = true}).empty()) << "interpretation asks what moves";
+}
+
+// The file as `scanbed options` prints it serves every command.
+TEST(DetectorSettingsTest, AFileMayHoldWhatThisRunDoesNotRead) {
+  const testing::TemporaryFolder folder;
+  const auto file = testing::write_file(folder / "d.yaml", options_yaml({}, {}));
+  EXPECT_TRUE(detector_settings({.config = file}, {}, {.tracks = false, .interprets = false}).idle.empty());
+}
+
+TEST(DetectorSettingsTest, RefuseAFileOfAnotherPreset) {
+  const testing::TemporaryFolder folder;
+  const auto file = testing::write_file(folder / "d.yaml", "\npipeline: paper\n");
+  EXPECT_EQ(error_of([&] { detector_settings({.preset = "robust", .config = file}, {}); }),
+            file.string() + ":2:11: pipeline: is paper, but --preset is robust; allowed: one of the two");
+  for (const std::optional<std::string>& preset : {std::optional<std::string>("paper"), {}}) {
+    EXPECT_EQ(preset_of(detector_settings({.preset = preset, .config = file}, {}).options), "paper");
+  }
+}
+
 TEST(DetectorSettingsTest, RefuseAnOptionUnderBothItsNames) {
   const testing::TemporaryFolder folder;
   const auto file =

@@ -14,12 +14,14 @@ class SlowDevice final : public RangeSensor {
  public:
   explicit SlowDevice(int num_timeouts) : num_timeouts_(num_timeouts) {}
   std::vector<SensorHealth> health;  // of the first scans
+  int num_dropped = 0;               // between one scan and the next
   const ScanGeometry& geometry() const override { return geometry_; }
   bool next(LaserScan& scan, Seconds /*timeout*/) override {
     if (num_left_-- > 0) throw SensorFault(SensorFault::Kind::kTimeout, "not yet");
     num_left_ = num_timeouts_;
     scan.health = num_scans_ < static_cast<int>(health.size()) ? health[num_scans_] : SensorHealth{};
     scan.time_s = 7.5 + num_scans_;
+    scan.index = num_scans_ * (num_dropped + 1);
     scan.range_m = {static_cast<double>(num_scans_++)};
     return true;
   }
@@ -65,6 +67,18 @@ TEST(LiveSensorTest, TellsOnceThatScansStayAway) {
   EXPECT_EQ(told, std::vector<std::string>{"not yet"});
   EXPECT_TRUE(sensor.next(scan, {}));
   EXPECT_EQ(told.size(), 2U);
+}
+
+TEST(LiveSensorTest, TellsEverMoreSeldomThatScansWereDropped) {
+  auto device = std::make_unique<SlowDevice>(0);
+  device->num_dropped = 4;
+  std::vector<std::string> told;
+  LiveSensor sensor(std::move(device), {.warn = [&](const std::string& line) { told.push_back(line); }});
+  LaserScan scan;
+  for (int i = 0; i < 27; ++i) ASSERT_TRUE(sensor.next(scan, {}));
+  EXPECT_EQ(told, (std::vector<std::string>{"scans come faster than they are taken: 4 dropped so far",
+                                            "scans come faster than they are taken: 12 dropped so far",
+                                            "scans come faster than they are taken: 100 dropped so far"}));
 }
 
 TEST(LiveSensorTest, PassesOtherFaultsOn) {
