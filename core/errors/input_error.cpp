@@ -2,16 +2,15 @@
 #include "core/errors/input_error.hpp"
 
 #include <iterator>
-#include <sstream>
+
+#include "core/text/number_text.hpp"
 
 namespace scanbed {
 
 void require(bool holds, std::string_view name, double value, std::string_view allowed) {
   if (holds) return;
-  std::ostringstream message;
-  message.precision(15);  // 5000000 as it was written, not 5e+06; 0.1 too
-  message << name << ": value " << value << " is out of range; allowed: " << allowed;
-  throw InputError(message.str());
+  throw InputError(std::string(name) + ": value " + number_text(value) +
+                   " is out of range; allowed: " + std::string(allowed));
 }
 
 void require_word(std::int64_t number, std::string_view name, std::span<const std::string_view> words) {

@@ -88,17 +88,22 @@ void TrackScorer::count_match(const FollowedTruth& truth, const Track& track) {
   last_id = track.id;
 }
 
+// A track that is excused in this scan is with nobody in it, or it would count above the line alone.
 void TrackScorer::count_identities(const Scan& scan) {
-  std::vector<char> is_excused(scan.tracks.size(), 0);
+  std::vector<char> counts(scan.tracks.size(), 1);
   for (std::size_t i = 0; i < scan.truths.size(); ++i) {
     const bool resolvable = scan.truths[i].visibility == Visibility::kResolvable;
-    if (!resolvable && scan.track_of_truth[i] != kNoTrack) is_excused[scan.track_of_truth[i]] = 1;
-    for (const Track& track : scan.tracks) {
-      if (!resolvable || (track.position_m - scan.truths[i].center_m).norm() > gate_m_) continue;
-      ++num_scans_together_[{scan.truths[i].id, track.id}];
+    if (!resolvable && scan.track_of_truth[i] != kNoTrack) counts[scan.track_of_truth[i]] = 0;
+  }
+  for (std::size_t k = 0; k < scan.tracks.size(); ++k) {
+    if (counts[k] == 0) continue;
+    ++tally_.num_identity_tracks;
+    for (const FollowedTruth& truth : scan.truths) {
+      if (truth.visibility != Visibility::kResolvable) continue;
+      if ((scan.tracks[k].position_m - truth.center_m).norm() > gate_m_) continue;
+      ++num_scans_together_[{truth.id, scan.tracks[k].id}];
     }
   }
-  tally_.num_identity_tracks += static_cast<int>(std::count(is_excused.begin(), is_excused.end(), 0));
 }
 
 // One track for each object, for the whole run, so that they are together in as many scans as can be.

@@ -3,23 +3,26 @@
 
 namespace scanbed {
 
-double TrackTally::mota() const {
-  const int num_errors = num_truths - num_matches + num_false + num_switches;
-  if (num_truths == 0) return num_errors == 0 ? 1.0 : 0.0;
-  return 1.0 - static_cast<double>(num_errors) / num_truths;
+// One division, so that a value that is a bar's to the digit is not below it.
+std::optional<double> TrackTally::mota() const {
+  if (num_truths == 0) return std::nullopt;
+  return static_cast<double>(num_matches - num_false - num_switches) / num_truths;
 }
 
-double TrackTally::motp_m() const {
-  return num_matches == 0 ? 0.0 : sum_error_m / num_matches;
+std::optional<double> TrackTally::motp_m() const {
+  if (num_matches == 0) return std::nullopt;
+  return sum_error_m / num_matches;
 }
 
-double TrackTally::idf1() const {
+std::optional<double> TrackTally::idf1() const {
   const int num_all = num_truths + num_identity_tracks;
-  return num_all == 0 ? 1.0 : 2.0 * num_identity_true / num_all;
+  if (num_all == 0) return std::nullopt;
+  return 2.0 * num_identity_true / num_all;
 }
 
-double TrackTally::switches_per_minute() const {
-  return object_time_s > 0.0 ? 60.0 * num_switches / object_time_s : 0.0;
+std::optional<double> TrackTally::switches_per_minute() const {
+  if (object_time_s <= 0.0) return std::nullopt;
+  return 60.0 * num_switches / object_time_s;
 }
 
 TrackTally& TrackTally::operator+=(const TrackTally& other) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 namespace scanbed {
 
 /// How well tracks followed what there was to follow, pooled over scans and runs.
@@ -19,14 +21,15 @@ struct TrackTally {
   int num_identity_true = 0;    ///< scans in which an object has the one track that is its own in all
   int num_identity_tracks = 0;  ///< scans of all tracks that are right or wrong
 
-  /// 1 - (misses + false + switches) / truths; 1 where there is nothing to follow and nothing wrong.
-  double mota() const;
-  /// Mean distance of the matches; 0 where there is none.
-  double motp_m() const;
-  /// 2 IDTP / (truths + tracks); 1 where there is neither.
-  double idf1() const;
-  /// For each minute of each object in view; 0 where none was.
-  double switches_per_minute() const;
+  // Empty where there is nothing to measure them by.
+  /// (truths - misses - false - switches) / truths.
+  std::optional<double> mota() const;
+  /// Mean distance of the matches.
+  std::optional<double> motp_m() const;
+  /// 2 IDTP / (truths + tracks).
+  std::optional<double> idf1() const;
+  /// For each minute of each object in view.
+  std::optional<double> switches_per_minute() const;
   TrackTally& operator+=(const TrackTally& other);
 };
 

@@ -19,7 +19,9 @@
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
 #include "core/errors/sensor_fault.hpp"
+#include "hw/serial/file_descriptor.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "hw/serial/stop_signal.hpp"
 
 namespace scanbed::hw {
 namespace {
@@ -30,26 +32,30 @@ std::string reason(int error) {
 
 class FileBytes final : public ByteStream {
  public:
-  explicit FileBytes(const std::filesystem::path& path)
-      : name_(path.string()), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0) throw InputError(name_ + ": cannot be opened: " + reason(errno));
+  // Without waiting for the writer of a FIFO, which could not be interrupted.
+  FileBytes(const std::filesystem::path& path, std::function<bool()> is_interrupted)
+      : name_(path.string()),
+        file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)),
+        is_interrupted_(std::move(is_interrupted)) {
+    if (!file_.is_open()) throw InputError(name_ + ": cannot be opened: " + reason(errno));
   }
-  ~FileBytes() override { ::close(descriptor_); }
 
   std::size_t read(std::span<char> out) override {
     for (;;) {
-      const ssize_t num_read = ::read(descriptor_, out.data(), out.size());
+      while (!wait_until(steady_now_s() + kBetweenLooks_s)) continue;
+      const ssize_t num_read = ::read(file_.get(), out.data(), out.size());
       if (num_read >= 0) return static_cast<std::size_t>(num_read);
-      if (errno == EINTR) continue;
+      if (errno == EINTR || errno == EAGAIN) continue;
       throw SensorFault(SensorFault::Kind::kDisconnected, name_ + ": reading failed: " + reason(errno));
     }
   }
 
   /// A file on a disk is always ready.
   bool wait_until(double deadline_s) override {
-    pollfd polled = {descriptor_, POLLIN, 0};
+    pollfd polled = {file_.get(), POLLIN, 0};
     for (;;) {
-      const double left_s = std::clamp(deadline_s - steady_now_s(), 0.0, 3600.0);
+      if (is_interrupted_ && is_interrupted_()) throw Stopped{};
+      const double left_s = std::clamp(deadline_s - steady_now_s(), 0.0, kBetweenLooks_s);
       const int num_ready = ::poll(&polled, 1, static_cast<int>(std::ceil(left_s * 1e3)));
       if (num_ready > 0) return true;
       if (num_ready < 0 && errno != EINTR) return true;  // the read that follows says what is wrong
@@ -60,14 +66,17 @@ class FileBytes final : public ByteStream {
   /// Refuses what cannot hold a recording. A pipe has no size: whether it is empty shows when it is read.
   void check_kind() const {
     struct stat status = {};
-    if (::fstat(descriptor_, &status) != 0) throw InputError(name_ + ": " + reason(errno));
+    if (::fstat(file_.get(), &status) != 0) throw InputError(name_ + ": " + reason(errno));
     if (S_ISDIR(status.st_mode)) throw InputError(name_ + ": is a folder; expected a file");
     if (S_ISREG(status.st_mode) && status.st_size == 0) throw InputError(name_ + ": is empty");
   }
 
  private:
+  static constexpr double kBetweenLooks_s = 0.1;  // at what may interrupt
+
   std::string name_;
-  int descriptor_;
+  FileDescriptor file_;
+  std::function<bool()> is_interrupted_;
 };
 
 class MemoryBytes final : public ByteStream {
@@ -197,8 +206,9 @@ void need_clean_end(StreamEnd end, const std::string& name, std::int64_t num_sca
                    " after " + std::to_string(num_scans) + " scans");
 }
 
-std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path) {
-  auto file = std::make_unique<FileBytes>(path);
+std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path,
+                                      std::function<bool()> is_interrupted) {
+  auto file = std::make_unique<FileBytes>(path, std::move(is_interrupted));
   file->check_kind();
   return file;
 }

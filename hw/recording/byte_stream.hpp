@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,7 @@ class ByteStream {
   /// Fills the front of `out` (not empty) and returns how many bytes it wrote; 0 only at the end, and so it
   /// stays.
   /// @throws SensorFault of kind kDisconnected where the operating system fails to read.
+  ///         Stopped where it is interrupted while it waits for bytes to come.
   virtual std::size_t read(std::span<char> out) = 0;
 
   /// Waits until read() has something to give or the stream is at its end, but no longer than to `deadline_s`
@@ -42,9 +44,11 @@ class ByteStream {
   virtual StreamEnd end() const { return StreamEnd::kClean; }
 };
 
-/// Bytes of a file or of anything else that open(2) opens.
+/// Bytes of a file or of anything else that open(2) opens. A FIFO need not have a writer yet.
+/// @param is_interrupted  asked ten times a second where bytes are waited for, as of a pipe; may be empty.
 /// @throws InputError where the file is missing, may not be read, is a folder, or is empty.
-std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path);
+std::unique_ptr<ByteStream> open_file(const std::filesystem::path& path,
+                                      std::function<bool()> is_interrupted = {});
 
 /// Bytes that are in memory already.
 std::unique_ptr<ByteStream> from_memory(std::string bytes);

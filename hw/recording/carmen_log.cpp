@@ -7,6 +7,7 @@
 #include "hw/recording/field_reader.hpp"
 #include "hw/recording/left_out_sources.hpp"
 #include "hw/recording/line_reader.hpp"
+#include "hw/serial/stop_signal.hpp"
 
 namespace scanbed::hw {
 
@@ -92,7 +93,11 @@ const ScanGeometry& CarmenLog::geometry() const {
 }
 
 bool CarmenLog::next(LaserScan& scan, Seconds /*timeout*/) {
-  if (!std::exchange(impl_->is_ahead, false) && !impl_->read_scan()) return false;
+  try {
+    if (!std::exchange(impl_->is_ahead, false) && !impl_->read_scan()) return false;
+  } catch (const Stopped&) {
+    return false;
+  }
   scan = impl_->scan;
   return true;
 }

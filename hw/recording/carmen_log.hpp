@@ -35,7 +35,8 @@ class CarmenLog final : public ScanReader {
   /// Of the scan that next() gave last; of the first one before that.
   const ScanGeometry& geometry() const override;
 
-  /// Never waits. A scan without time has the time of the scan before it, or 0.
+  /// Waits for bytes that are still to come, whatever `timeout`; what interrupts that ends the log. A scan
+  /// without time has the time of the scan before it, or 0.
   /// @throws InputError where compressed data is cut off or damaged, after all scans on complete lines before
   ///         that were given.
   /// @throws SensorFault where the operating system fails to read the file.

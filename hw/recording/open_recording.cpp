@@ -82,7 +82,7 @@ void RecordingOptions::validate() const {
 
 std::unique_ptr<ScanReader> open_recording(const std::filesystem::path& path, const RecordingOptions& options,
                                            DamageReport report) {
-  return open_recording(open_file(path), path.string(), options, std::move(report));
+  return open_recording(open_file(path, options.is_interrupted), path.string(), options, std::move(report));
 }
 
 std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, const std::string& name,
@@ -112,7 +112,7 @@ std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, co
       source = read_json_lines(std::move(peeked), name, {.only = options.only}, std::move(report));
       break;
   }
-  return std::make_unique<StreamedReader>(std::move(source), name, options.only);
+  return std::make_unique<StreamedReader>(std::move(source), name, options);
 }
 
 std::unique_ptr<ScanWriter> create_recording(const std::filesystem::path& path,

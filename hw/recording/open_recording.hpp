@@ -3,25 +3,19 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "hw/recording/byte_stream.hpp"
+#include "hw/recording/recording_options.hpp"
 #include "hw/recording/scan_reader.hpp"
 #include "hw/recording/scan_writer.hpp"
 
 namespace scanbed::hw {
 
-/// How a recording is read.
-struct RecordingOptions {
-  std::string only;  ///< read this message (CARMEN), topic (bag, MCAP) or device (Player) alone; empty: all
-  std::optional<double> no_return_m;  ///< CARMEN logs: readings from here on mean "no return"
-
-  void validate() const;  ///< @throws InputError naming the first field that is not allowed
-};
-
 /// Opens a recording of any format; its content tells which, and its name where the content does not.
 /// @throws InputError where it is missing, unreadable, empty, holds no scan, or the options do not validate.
+///         Stopped where it is interrupted before the first scan; afterwards that is the end of the
+///         recording.
 std::unique_ptr<ScanReader> open_recording(const std::filesystem::path& path, const RecordingOptions& options,
                                            DamageReport report);
 

@@ -2,11 +2,13 @@
 #include "hw/recording/paced_replay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <string>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "core/text/number_text.hpp"
 
 namespace scanbed::hw {
 
@@ -21,8 +23,9 @@ PacedReplay::PacedReplay(std::unique_ptr<ScanReader> reader, const ReplayOptions
   options_.validate();
   is_ahead_ = read(first_);
   if (is_ahead_) return;
-  throw InputError("the recording holds no scan from " + std::to_string(options_.from_s) + " s to " +
-                   std::to_string(options_.to_s) + " s after its first one");
+  const std::string end = std::isfinite(options_.to_s) ? " to " + number_text(options_.to_s) + " s" : " on";
+  throw InputError("the recording holds no scan from " + number_text(options_.from_s) + " s" + end +
+                   " after its first one");
 }
 
 bool PacedReplay::read(LaserScan& scan) {
@@ -39,6 +42,16 @@ bool PacedReplay::read(LaserScan& scan) {
 }
 
 bool PacedReplay::next(LaserScan& scan, Seconds /*timeout*/) {
+  const bool is_there = take(scan);
+  counts_.num_damaged_lines = reader_->counts().num_damaged_lines;
+  counts_.num_other_lines = reader_->counts().num_other_lines;
+  if (!is_there) return false;
+  wait_for(scan.time_s);
+  scan.index = counts_.num_scans++;
+  return true;
+}
+
+bool PacedReplay::take(LaserScan& scan) {
   if (is_over_) return false;
   if (std::exchange(is_ahead_, false)) {
     scan = first_;
@@ -46,15 +59,13 @@ bool PacedReplay::next(LaserScan& scan, Seconds /*timeout*/) {
     if (!read(spare_)) return false;
     scan = spare_;
   }
-  wait_for(scan.time_s);
-  scan.index = num_given_++;
   return true;
 }
 
 void PacedReplay::wait_for(double time_s) {
   constexpr double kMostGap_s = 60.0;
   if (!options_.speed) return;
-  if (num_given_ == 0) {
+  if (counts_.num_scans == 0) {
     due_at_ = Clock::now();
   } else {
     const double gap_s = std::clamp(time_s - given_s_, 0.0, kMostGap_s) / *options_.speed;

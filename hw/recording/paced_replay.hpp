@@ -33,12 +33,14 @@ class PacedReplay final : public ScanReader {
   bool next(LaserScan& scan, Seconds timeout) override;
   const Truth* truth() const override { return is_ahead_ ? nullptr : reader_->truth(); }
   const Features* features() const override { return is_ahead_ ? nullptr : reader_->features(); }
-  const RecordingCounts& counts() const override { return reader_->counts(); }  ///< with what was left out
+  /// Scans are those that were given; damaged and other lines are all that were read.
+  const RecordingCounts& counts() const override { return counts_; }
   const RecordingMetadata& metadata() const override { return reader_->metadata(); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  bool take(LaserScan& scan);
   bool read(LaserScan& scan);
   void wait_for(double time_s);
 
@@ -49,7 +51,7 @@ class PacedReplay final : public ScanReader {
   bool is_ahead_ = false;
   bool is_over_ = false;
   std::optional<double> start_s_;  // time of the recording's first scan
-  std::int64_t num_given_ = 0;
+  RecordingCounts counts_;
   double given_s_ = 0.0;      // time of the scan that was given last
   Clock::time_point due_at_;  // when it was due
 };

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "hw/recording/streamed_reader.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "core/errors/input_error.hpp"
+#include "hw/serial/stop_signal.hpp"
 
 namespace scanbed::hw {
 
 StreamedReader::StreamedReader(std::unique_ptr<ScanSource> source, const std::string& name,
-                               const std::string& only)
-    : source_(std::move(source)) {
+                               const RecordingOptions& options)
+    : source_(std::move(source)),
+      no_return_m_(options.no_return_m.value_or(std::numeric_limits<double>::infinity())) {
   is_ahead_ = read();
   if (is_ahead_) return;
-  throw InputError(name + ": holds no scan" + source_->left_out().text(only) + " (" +
+  throw InputError(name + ": holds no scan" + source_->left_out().text(options.only) + " (" +
                    std::to_string(counts_.num_damaged_lines) + " damaged, " +
                    std::to_string(counts_.num_other_lines) + " other lines or records)");
 }
@@ -37,12 +40,19 @@ bool StreamedReader::read() {
   if (!is_there) return false;
   std::swap(given_, spare_);
   given_.scan.index = num_scans;
+  for (double& range_m : given_.scan.range_m) {
+    if (range_m >= no_return_m_) range_m = kNoEcho;
+  }
   is_over_ = false;
   return true;
 }
 
 bool StreamedReader::next(LaserScan& scan, Seconds /*timeout*/) {
-  if (!std::exchange(is_ahead_, false) && !read()) return false;
+  try {
+    if (!std::exchange(is_ahead_, false) && !read()) return false;
+  } catch (const Stopped&) {
+    return false;
+  }
   scan = given_.scan;
   return true;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/number_text.hpp"
 #include "hw/serial/steady_clock.hpp"
 
 namespace scanbed::hw {
@@ -71,7 +72,7 @@ class TimeOrder final : public ScanSource {
     const bool is_late = time_s < last_s_;
     if (is_late && !std::exchange(has_reported_, true) && report_) {
       const std::string distance = std::to_string(kMostHeld) + " scans" + (is_live_ ? ", or 0.1 s," : "");
-      report_(name_ + ": a scan of " + std::to_string(time_s) + " s stands more than " + distance +
+      report_(name_ + ": a scan of " + number_text(time_s) + " s stands more than " + distance +
               " behind a later one; such scans are given out of the order of time");
     }
     last_s_ = std::max(last_s_, time_s);

@@ -55,7 +55,9 @@ std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
   };
   const hw::ReplayOptions& replay = spec.replay;
   replay.validate();
-  auto reader = hw::open_recording(spec.target, spec.log, report);
+  hw::RecordingOptions options = spec.log;
+  options.is_interrupted = is_interrupted;
+  auto reader = hw::open_recording(spec.target, options, report);
   if (!replay.speed && replay.from_s == 0.0 && std::isinf(replay.to_s)) return reader;
   return std::make_unique<hw::PacedReplay>(std::move(reader), replay);
 }

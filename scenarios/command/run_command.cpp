@@ -103,6 +103,7 @@ void check_laser(const RunCommand& command) {
         fmt::format("{} only for the simulated laser; found --laser {}", what, command.laser.text));
   };
   if (command.out) refuse("--out: pictures are");
+  if (command.seeds) refuse("--seed: seeds are");
   if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
 }
 

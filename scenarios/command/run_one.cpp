@@ -53,17 +53,31 @@ RunAndPictures run_simulated(const RunCommand& command, const Run& run) {
   done.result = run_on(*sensor, command, run, [&](const LaserScan& scan, const Features& features) {
     if (pictures) pictures->see(scan, features);
   });
+  done.result.seed = run.scenario.seed;
+  done.result.engine = to_string(command.backend);
   done.result.collisions = sensor->collisions();
   if (pictures) done.pictures = pictures->files();
   return done;
 }
 
+// The scenario's bars and names are held against whatever the scans show.
+void warn_of_another_world(const hw::ScanReader& log, const RunCommand& command, const Run& run) {
+  const auto recorded = log.metadata().find("scenario");
+  if (recorded == log.metadata().end()) return;
+  const auto stem_of = [](const std::filesystem::path& name_or_path) { return name_or_path.stem(); };
+  if (stem_of(recorded->second) == stem_of(run.name)) return;
+  log_warning(fmt::format("{}: was recorded in the scenario {}, not in {}", command.laser.target,
+                          quote(recorded->second), quote(run.name)));
+}
+
 RunAndPictures run_on_log(const RunCommand& command, const Run& run) {
   const std::unique_ptr<hw::ScanReader> log = open_log(command.laser);
+  warn_of_another_world(*log, command, run);
   SourceWatch watch(command.laser);
   RunAndPictures done;
   done.result = run_on(*log, command, run, [&](const LaserScan& scan, const Features&) { watch.see(scan); });
   log_note(to_text(log->counts()));
+  done.result.interrupted = done.result.interrupted || is_interrupted();
   return done;
 }
 

@@ -40,7 +40,8 @@ const std::vector<Metric>& all_metrics() {
 }
 
 bool has(FeatureKind kind, const Metric& metric) {
-  return metric.of_tracks == is_followed(kind) || metric.measure == Measure::kNumTruths;
+  const bool is_of_both = metric.measure == Measure::kNumTruths || metric.measure == Measure::kFalsePerScan;
+  return is_of_both || metric.of_tracks == is_followed(kind);
 }
 
 std::vector<std::string> make_names_of_kind(bool followed) {
@@ -49,12 +50,6 @@ std::vector<std::string> make_names_of_kind(bool followed) {
   for (const Metric& metric : all_metrics()) {
     if (has(kind, metric)) names.push_back(metric.name);
   }
-  return names;
-}
-
-std::vector<std::string> make_names() {
-  std::vector<std::string> names;
-  for (const Metric& metric : all_metrics()) names.push_back(metric.name);
   return names;
 }
 
@@ -80,11 +75,6 @@ std::string_view to_string(FeatureKind kind) {
   return "";
 }
 
-std::span<const std::string> metric_names() {
-  static const std::vector<std::string> names = make_names();
-  return names;
-}
-
 std::span<const std::string> metric_names(FeatureKind kind) {
   static const std::vector<std::string> of_features = make_names_of_kind(false);
   static const std::vector<std::string> of_tracks = make_names_of_kind(true);
@@ -92,14 +82,8 @@ std::span<const std::string> metric_names(FeatureKind kind) {
 }
 
 std::optional<Metric> find_metric(std::string_view name, FeatureKind kind) {
-  std::optional<Metric> metric = find_metric(name);
-  if (metric && !has(kind, *metric)) metric.reset();
-  return metric;
-}
-
-std::optional<Metric> find_metric(std::string_view name) {
   for (const Metric& metric : all_metrics()) {
-    if (metric.name == name) return metric;
+    if (metric.name == name && has(kind, metric)) return metric;
   }
   return std::nullopt;
 }

@@ -44,12 +44,8 @@ struct Metric {
 
 /// "precision", "recall", "recall_0_2m" to "recall_6_8m" (and the wider bands between 0, 2, 4, 6 and 8 m),
 /// "fp_per_scan", "rms_error", "truths"; of people and cylinders "mota", "motp", "id_switches_per_minute",
-/// "idf1", "truths".
-std::span<const std::string> metric_names();
-std::span<const std::string> metric_names(FeatureKind kind);  ///< that the kind has
-
-/// Empty where the name is none of metric_names().
-std::optional<Metric> find_metric(std::string_view name);
+/// "idf1", "fp_per_scan", "truths".
+std::span<const std::string> metric_names(FeatureKind kind);
 
 /// Empty where the kind has no metric of that name.
 std::optional<Metric> find_metric(std::string_view name, FeatureKind kind);

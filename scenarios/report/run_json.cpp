@@ -45,22 +45,27 @@ Json to_json(const KindScore& score, const Scores& scores) {
           {"bands", bands}};
 }
 
-Json to_json(const std::optional<TrackTally>& tally) {
+Json rounded(const std::optional<double>& value) {
+  return value ? rounded(*value) : Json(nullptr);
+}
+
+Json to_json(const std::optional<TrackTally>& tally, int num_scans) {
   if (!tally) return nullptr;
   return {{"truths", tally->num_truths},
           {"found", tally->num_matches},
           {"false", tally->num_false},
+          {"false_per_scan", num_scans == 0 ? Json(nullptr) : rounded(1.0 * tally->num_false / num_scans)},
           {"neither", tally->num_neither},
           {"id_switches", tally->num_switches},
           {"id_switches_per_minute", rounded(tally->switches_per_minute())},
           {"mota", rounded(tally->mota())},
-          {"motp_m", tally->num_matches == 0 ? Json(nullptr) : rounded(tally->motp_m())},
+          {"motp_m", rounded(tally->motp_m())},
           {"idf1", rounded(tally->idf1())}};
 }
 
 Json to_json(const Scores& scores) {
-  return {{"person", to_json(scores.person)},
-          {"cylinder", to_json(scores.cylinder)},
+  return {{"person", to_json(scores.person, scores.num_scans)},
+          {"cylinder", to_json(scores.cylinder, scores.num_scans)},
           {"line", to_json(scores.line, scores)},
           {"circle", to_json(scores.circle, scores)},
           {"leg", to_json(scores.leg, scores)}};
@@ -75,7 +80,7 @@ Json to_json(const GateResult& gate) {
   Json json = {{"kind", to_string(gate.need.kind)},
                {"metric", gate.need.metric.name},
                {gate.need.metric.at_most ? "at_most" : "at_least", rounded(gate.need.bound)},
-               {"value", gate.value ? rounded(*gate.value) : Json(nullptr)},
+               {"value", rounded(gate.value)},
                {"met", gate.met}};
   json["known_fail"] = to_json(gate.need.known_fail);
   if (!window.is_whole()) json["between_s"] = {rounded(window.from_s), rounded(window.to_s)};
@@ -90,7 +95,7 @@ Json to_json(const ExpectResult& result) {
       {"between_s", window.is_whole() ? Json(nullptr) : Json{rounded(window.from_s), rounded(window.to_s)}},
       {"scans", result.num_scans},
       {"held", result.num_held},
-      {"first_missed_s", result.first_missed_s ? Json(rounded(*result.first_missed_s)) : Json(nullptr)},
+      {"first_missed_s", rounded(result.first_missed_s)},
       {"met", result.met},
       {"known_fail", to_json(result.expectation.known_fail)}};
 }
@@ -114,11 +119,13 @@ Json to_json(const RunResult& result) {
   for (const sim::Collision& collision : result.collisions) collisions.push_back(to_json(collision));
   return {
       {"scenario", result.scenario},
-      {"seed", result.seed},
+      {"seed", result.seed ? Json(*result.seed) : Json(nullptr)},
       {"laser", result.laser},
+      {"engine", to_json(result.engine)},
       {"preset", result.preset},
       {"duration_s", rounded(result.duration_s)},
       {"scans", result.num_scans},
+      {"scored_scans", result.scores ? result.scores->num_scans : 0},
       {"interrupted", result.interrupted},
       {"features",
        {{"line", result.features.lines}, {"circle", result.features.circles}, {"leg", result.features.legs}}},

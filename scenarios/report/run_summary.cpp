@@ -51,6 +51,10 @@ Pool pool(Runs runs) {
   return pool;
 }
 
+std::string seed_text(const std::optional<std::uint64_t>& seed) {
+  return seed ? fmt::format(" (seed {})", *seed) : "";
+}
+
 void append_tally(std::string& out, const Tally& tally, int num_scans) {
   const double num_false = tally.num_detections - tally.num_right;
   append_format(out, "{:>8}{:>7}{:>7}", share_text(tally.num_right, tally.num_detections),
@@ -78,9 +82,11 @@ void append_row(std::string& out, Runs runs) {
   for (const Tally* tally : {&counts.line, &counts.circle, &counts.leg}) {
     append_tally(out, *tally, counts.num_scans);
   }
-  const bool has_people = counts.person && counts.person->num_truths > 0;
-  append_format(out, "{:>8}{:>14}  {}\n", has_people ? fmt::format("{:.3f}", counts.person->mota()) : "-",
-                has_people ? fmt::format("{:.2f}", counts.person->switches_per_minute()) : "-",
+  const TrackTally people = counts.person.value_or(TrackTally{});
+  const bool is_followed = counts.person && counts.num_scans > 0;
+  append_format(out, "{:>8}{:>14}{:>7}  {}\n", value_text(people.mota(), 3),
+                value_text(people.switches_per_minute(), 2),
+                is_followed ? fmt::format("{:.2f}", 1.0 * people.num_false / counts.num_scans) : "-",
                 verdict(runs));
 }
 
@@ -89,9 +95,17 @@ struct Missed {
   std::string bar;
   std::optional<std::string> known_fail;
   int num_missed = 0;
-  bool at_most = false;
-  std::optional<double> worst;
-  std::uint64_t worst_seed = 0;
+  std::optional<double> worst;  ///< empty: nothing was measured, which is worse than any value
+  std::optional<std::uint64_t> worst_seed;
+
+  void take(std::optional<double> value, bool is_at_most, const std::optional<std::uint64_t>& seed) {
+    ++num_missed;
+    const bool is_better =
+        num_missed > 1 && (!worst || (value && (is_at_most ? *value <= *worst : *value >= *worst)));
+    if (is_better) return;
+    worst = value;
+    worst_seed = seed;
+  }
 };
 
 Missed missed_need(Runs runs, std::size_t index) {
@@ -99,17 +113,10 @@ Missed missed_need(Runs runs, std::size_t index) {
   Missed missed{.bar = fmt::format("{} {} {} {:g}{}", to_string(need.kind), need.metric.name,
                                    need.metric.at_most ? "<=" : ">=", need.bound,
                                    need.window.is_whole() ? "" : " in " + to_string(need.window)),
-                .known_fail = need.known_fail,
-                .at_most = need.metric.at_most};
+                .known_fail = need.known_fail};
   for (const RunResult& run : runs) {
     const GateResult& gate = run.gates.at(index);
-    if (gate.met) continue;
-    ++missed.num_missed;
-    const bool is_worse = !missed.worst || !gate.value ||
-                          (missed.at_most ? *gate.value > *missed.worst : *gate.value < *missed.worst);
-    if (missed.num_missed > 1 && !is_worse) continue;
-    missed.worst = gate.value;
-    missed.worst_seed = run.seed;
+    if (!gate.met) missed.take(gate.value, need.metric.at_most, run.seed);
   }
   return missed;
 }
@@ -120,21 +127,19 @@ Missed missed_expectation(Runs runs, std::size_t index) {
   for (const RunResult& run : runs) {
     const ExpectResult& result = run.expectations.at(index);
     if (result.met) continue;
-    ++missed.num_missed;
     const double share =
         result.num_scans == 0 ? 0.0 : static_cast<double>(result.num_held) / result.num_scans;
-    if (missed.worst && share >= *missed.worst) continue;
-    missed.worst = share;
-    missed.worst_seed = run.seed;
+    missed.take(share, false, run.seed);
   }
   return missed;
 }
 
 void append_missed(std::string& out, Runs runs, const Missed& missed) {
   if (missed.num_missed == 0) return;
-  append_format(out, "  {}: {}: missed in {} of {}, worst {} (seed {})", runs.front().scenario, missed.bar,
+  append_format(out, "  {}: {}: missed in {} of {}, worst {}{}", runs.front().scenario, missed.bar,
                 missed.num_missed, runs.size(),
-                missed.worst ? fmt::format("{:.4g}", *missed.worst) : "nothing", missed.worst_seed);
+                missed.worst ? fmt::format("{:.4g}", *missed.worst) : "nothing",
+                seed_text(missed.worst_seed));
   const std::optional<std::string>& whole = runs.front().known_fail;
   const std::optional<std::string>& reason = missed.known_fail ? missed.known_fail : whole;
   out += reason ? "; known failure: " + *reason + "\n" : "\n";
@@ -157,9 +162,9 @@ void append_collisions(std::string& out, Runs runs) {
   const auto has_some = [](const RunResult& run) { return !run.collisions.empty(); };
   const auto first = std::find_if(runs.begin(), runs.end(), has_some);
   if (first == runs.end()) return;
-  append_format(out, "  {}: collisions in {} of {} runs; {} (seed {})\n", first->scenario,
+  append_format(out, "  {}: collisions in {} of {} runs; {}{}\n", first->scenario,
                 std::count_if(runs.begin(), runs.end(), has_some), runs.size(),
-                sim::to_string(first->collisions.front()), first->seed);
+                sim::to_string(first->collisions.front()), seed_text(first->seed));
 }
 
 // A run that was cut off has not seen all that its bars ask for: a miss of it would be made up.
@@ -173,11 +178,11 @@ std::vector<RunResult> complete(Runs results) {
 std::string summary_of_complete(Runs results) {
   if (results.empty()) return "no runs\n";
   std::string out = fmt::format("preset {}, laser {}\n", results[0].preset, results[0].laser);
-  append_format(out, "  {:<31}{:>22}{:>22}{:>22}{:>22}\n", "", "lines   ", "circles   ", "legs   ",
-                "people   ");
+  append_format(out, "  {:<31}{:>22}{:>22}{:>22}{:>29}\n", "", "lines   ", "circles   ", "legs   ",
+                "people      ");
   append_format(out, "  {:<26}{:>5}", "scenario", "runs");
   for (int kind = 0; kind < 3; ++kind) append_format(out, "{:>8}{:>7}{:>7}", "prec.", "recall", "false");
-  append_format(out, "{:>8}{:>14}\n", "MOTA", "switches/min");
+  append_format(out, "{:>8}{:>14}{:>7}\n", "MOTA", "switches/min", "false");
   const std::vector<Runs> groups = group(results);
   for (const Runs& runs : groups) append_row(out, runs);
   std::string notes;

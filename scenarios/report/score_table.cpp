@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
+#include <string>
 
 #include "scenarios/report/append_format.hpp"
 #include "scenarios/report/share_text.hpp"
@@ -16,8 +18,15 @@ namespace {
 constexpr std::array kKinds = {FeatureKind::kLine, FeatureKind::kCircle, FeatureKind::kLeg};
 
 void append_head(std::string& out, const RunResult& result) {
-  append_format(out, "{}  seed {}  laser {}  preset {}  {} scans{}\n", result.scenario, result.seed,
-                result.laser, result.preset, result.num_scans, result.interrupted ? " (interrupted)" : "");
+  out += result.scenario;
+  if (result.seed) append_format(out, "  seed {}", *result.seed);
+  append_format(out, "  laser {}", result.laser);
+  if (result.engine) append_format(out, "  engine {}", *result.engine);
+  append_format(out, "  preset {}  {} scans", result.preset, result.num_scans);
+  if (result.scores && result.scores->num_scans < result.num_scans) {
+    append_format(out, ", {} of them scored: the others have no truth", result.scores->num_scans);
+  }
+  out += result.interrupted ? " (interrupted)\n" : "\n";
 }
 
 void append_tallies(std::string& out, const Scores& scores) {
@@ -64,10 +73,11 @@ void append_tracks(std::string& out, const Scores& scores) {
   for (const FeatureKind kind : {FeatureKind::kPerson, FeatureKind::kCylinder}) {
     const std::optional<TrackTally>& tally = tracks_of(scores, kind);
     if (!tally || (tally->num_truths == 0 && tally->num_false == 0)) continue;
-    append_format(out, "  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14.2f}{:>8.3f}{:>8.3f}{:>12}\n", to_string(kind),
+    append_format(out, "  {:<10}{:>8}{:>8}{:>8}{:>10}{:>14}{:>8}{:>8}{:>12}\n", to_string(kind),
                   tally->num_truths, tally->num_matches, tally->num_false, tally->num_switches,
-                  tally->switches_per_minute(), tally->mota(), tally->idf1(),
-                  fmt::format("{:.1f} mm", 1000.0 * tally->motp_m()));
+                  value_text(tally->switches_per_minute(), 2), value_text(tally->mota(), 3),
+                  value_text(tally->idf1(), 3),
+                  tally->motp_m() ? fmt::format("{:.1f} mm", 1000.0 * *tally->motp_m()) : "-");
   }
 }
 
@@ -80,13 +90,23 @@ std::string reason(const std::optional<std::string>& known_fail) {
   return known_fail ? "  known failure: " + *known_fail : "";
 }
 
+// As few digits as show on which side of the bar the value is.
+std::string measured_text(const GateResult& gate) {
+  if (!gate.value) return "nothing";
+  for (int num_digits = 4; num_digits < std::numeric_limits<double>::max_digits10; ++num_digits) {
+    std::string text = fmt::format("{:.{}g}", *gate.value, num_digits);
+    if (is_met(gate.need, std::stod(text)) == gate.met) return text;
+  }
+  return fmt::format("{}", *gate.value);
+}
+
 void append_gates(std::string& out, const std::vector<GateResult>& gates) {
   if (gates.empty()) return;
   append_format(out, "\n  {:<10}{:<24}{:>12}{:>12}\n", "gate", "", "bar", "measured");
   for (const GateResult& gate : gates) {
     const Need& need = gate.need;
     const std::string bar = fmt::format("{} {:g}", need.metric.at_most ? "<=" : ">=", need.bound);
-    const std::string value = gate.value ? fmt::format("{:.4g}", *gate.value) : "nothing";
+    const std::string value = measured_text(gate);
     append_format(out, "  {:<10}{:<24}{:>12}{:>12}  {}{}{}\n", to_string(need.kind), need.metric.name, bar,
                   value, outcome(gate.met, need.known_fail),
                   need.window.is_whole() ? "" : "  " + to_string(need.window), reason(need.known_fail));

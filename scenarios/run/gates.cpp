@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/run/gates.hpp"
 
+#include <stdexcept>
+
 namespace scanbed::scenarios {
 namespace {
 
@@ -16,45 +18,30 @@ std::optional<double> recall_in_band(const KindScore& score, const Metric& metri
   return static_cast<double>(num_found) / num_truths;
 }
 
-std::optional<double> measure_tracks(const std::optional<TrackTally>& tally, const Metric& metric) {
-  if (!tally || tally->num_truths == 0) return std::nullopt;
+std::optional<double> measure_tracks(const TrackTally& tally, int num_scans, const Metric& metric) {
   switch (metric.measure) {
     case Measure::kMota:
-      return tally->mota();
+      return tally.mota();
     case Measure::kMotp:
-      return tally->num_matches == 0 ? std::nullopt : std::optional(tally->motp_m());
+      return tally.motp_m();
     case Measure::kSwitchesPerMinute:
-      return tally->switches_per_minute();
+      return tally.switches_per_minute();
     case Measure::kIdf1:
-      return tally->idf1();
-    default:
-      return tally->num_truths;
-  }
-}
-
-}  // namespace
-
-const KindScore& score_of(const Scores& scores, FeatureKind kind) {
-  switch (kind) {
-    case FeatureKind::kLine:
-      return scores.line;
-    case FeatureKind::kCircle:
-      return scores.circle;
-    case FeatureKind::kLeg:
-    case FeatureKind::kPerson:
-    case FeatureKind::kCylinder:
+      return tally.idf1();
+    case Measure::kFalsePerScan:
+      return num_scans == 0 ? std::nullopt : std::optional(1.0 * tally.num_false / num_scans);
+    case Measure::kNumTruths:
+      return tally.num_truths;
+    case Measure::kPrecision:
+    case Measure::kRecall:
+    case Measure::kRecallInBand:
+    case Measure::kRmsError:
       break;
   }
-  return scores.leg;
+  return std::nullopt;
 }
 
-const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kind) {
-  return kind == FeatureKind::kPerson ? scores.person : scores.cylinder;
-}
-
-std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric) {
-  if (is_followed(kind)) return measure_tracks(tracks_of(scores, kind), metric);
-  const KindScore& score = score_of(scores, kind);
+std::optional<double> measure_features(const KindScore& score, const Scores& scores, const Metric& metric) {
   const Tally& tally = score.tally;
   switch (metric.measure) {
     case Measure::kPrecision:
@@ -78,10 +65,40 @@ std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metr
   return std::nullopt;
 }
 
+}  // namespace
+
+const KindScore& score_of(const Scores& scores, FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::kLine:
+      return scores.line;
+    case FeatureKind::kCircle:
+      return scores.circle;
+    case FeatureKind::kLeg:
+      return scores.leg;
+    case FeatureKind::kPerson:
+    case FeatureKind::kCylinder:
+      break;
+  }
+  throw std::logic_error("followed over scans, not scored in each");
+}
+
+const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kind) {
+  return kind == FeatureKind::kPerson ? scores.person : scores.cylinder;
+}
+
+std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric) {
+  if (!is_followed(kind)) return measure_features(score_of(scores, kind), scores, metric);
+  const std::optional<TrackTally>& tally = tracks_of(scores, kind);
+  return tally ? measure_tracks(*tally, scores.num_scans, metric) : std::nullopt;
+}
+
+bool is_met(const Need& need, double value) {
+  return need.metric.at_most ? value <= need.bound : value >= need.bound;
+}
+
 GateResult evaluate(const Need& need, const Scores& scores) {
   const std::optional<double> value = measure(scores, need.kind, need.metric);
-  const bool met = value && (need.metric.at_most ? *value <= need.bound : *value >= need.bound);
-  return {need, value, met};
+  return {need, value, value && is_met(need, *value)};
 }
 
 }  // namespace scanbed::scenarios

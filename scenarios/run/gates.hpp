@@ -24,6 +24,9 @@ const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kin
 /// The metric's value; empty where it is a share or an error of nothing.
 std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric);
 
+/// Whether a value reaches a need's bar.
+bool is_met(const Need& need, double value);
+
 /// Holds a need against the scores.
 GateResult evaluate(const Need& need, const Scores& scores);
 

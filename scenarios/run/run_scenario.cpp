@@ -56,7 +56,6 @@ RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Proc
                        const ScanObserver& observer) {
   RunResult result;
   result.scenario = scenario.name;
-  result.seed = scenario.seed;
   result.duration_s = scenario.duration_s;
   result.known_fail = scenario.known_fail;
   result.preset = processing.preset;

@@ -28,9 +28,10 @@ struct FeatureCounts {
 /// What one run of a scenario gave.
 struct RunResult {
   std::string scenario;
-  std::uint64_t seed = 0;
-  std::string laser;   ///< as `--laser` names it
-  std::string preset;  ///< of the detector
+  std::optional<std::uint64_t> seed;  ///< of a simulated laser's world
+  std::string laser;                  ///< as `--laser` names it
+  std::optional<std::string> engine;  ///< of a simulated laser
+  std::string preset;                 ///< of the detector
   double duration_s = 0.0;
   int num_scans = 0;
   FeatureCounts features;
@@ -58,8 +59,8 @@ struct Processing {
 using ScanObserver = std::function<bool(const LaserScan&, const Features&)>;
 
 /// Takes all scans of a sensor, detects, scores those that come with truth, and holds the scores against the
-/// scenario's needs of the preset. Fills all fields but laser and collisions, which only the caller
-/// knows.
+/// scenario's needs of the preset. Fills all fields but those of the laser and its world, which only the
+/// caller knows.
 ///
 /// @throws what the sensor's next() throws.
 RunResult run_scenario(const Scenario& scenario, RangeSensor& sensor, const Processing& processing,

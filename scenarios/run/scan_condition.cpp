@@ -74,14 +74,20 @@ bool is_present(const ObjectTruth& object) {
   return object.primitive == Primitive::kLine ? object.from_m != object.to_m : !object.center_m.isZero(0.0);
 }
 
-int num_near(const std::vector<Segment>& features, const NearObject& near, const Truth& truth) {
+// Empty where the world has no such object: it is another one's.
+std::optional<int> num_near(const std::vector<Segment>& features, const NearObject& near,
+                            const Truth& truth) {
   std::vector<Segment> objects;
+  bool is_known = false;
   for (const ObjectTruth& object : truth.objects) {
-    if (!is_meant(object, near.id) || !is_present(object)) continue;
+    if (!is_meant(object, near.id)) continue;
+    is_known = true;
+    if (!is_present(object)) continue;
     const bool is_line = object.primitive == Primitive::kLine;
     objects.push_back(is_line ? Segment{object.from_m, object.to_m}
                               : Segment{object.center_m, object.center_m});
   }
+  if (!is_known) return std::nullopt;
   const auto is_near = [&](const Segment& feature) {
     return std::any_of(objects.begin(), objects.end(),
                        [&](const Segment& object) { return distance_m(feature, object) <= near.within_m; });
@@ -103,9 +109,10 @@ std::optional<bool> holds(const ScanCondition& condition, const DetectedScan& de
   if (condition.needs_truth() && detected.truth == nullptr) return std::nullopt;
   if (condition.needs_scene() && detected.scene == nullptr) return std::nullopt;
   const std::vector<Segment> found = places(detected, condition.kind);
-  const int count =
-      condition.near ? num_near(found, *condition.near, *detected.truth) : static_cast<int>(found.size());
-  const bool is_count_fine = count >= condition.at_least && count <= condition.at_most;
+  std::optional<int> count = static_cast<int>(found.size());
+  if (condition.near) count = num_near(found, *condition.near, *detected.truth);
+  if (!count) return std::nullopt;
+  const bool is_count_fine = *count >= condition.at_least && *count <= condition.at_most;
   if (!condition.recall && !condition.precision) return is_count_fine;
   Scorer scorer(match);
   scorer.add(detected.features, detected.scan, *detected.truth);

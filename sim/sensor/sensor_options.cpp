@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/errors/input_error.hpp"
+#include "core/text/number_text.hpp"
 
 namespace scanbed::sim {
 namespace {
@@ -18,7 +19,7 @@ bool is_near(double a_rad, double b_rad) {
 
 void require_in(double value, double least, double greatest, const std::string& name) {
   require(value >= least && value <= greatest, name, value,
-          "[" + std::to_string(least) + ", " + std::to_string(greatest) + "]");
+          "[" + number_text(least) + ", " + number_text(greatest) + "]");
 }
 
 void check_beams(const SensorOptions& s) {
@@ -39,7 +40,7 @@ void check_times(const SensorOptions& s) {
   const double sweep_s = s.num_rotations() * s.rotation_s;
   require(s.scan_period_s >= sweep_s * (1.0 - 1e-9) && s.scan_period_s <= 3600.0, "sensor.scan_period_s",
           s.scan_period_s,
-          std::to_string(sweep_s) + " (" + std::to_string(s.num_rotations()) + " rotations) to 3600");
+          number_text(sweep_s) + " (" + std::to_string(s.num_rotations()) + " rotations) to 3600");
   require_in(s.sectors_per_rotation, 1, 64, "sensor.sectors_per_rotation");
 }
 
@@ -47,7 +48,7 @@ void check_ranges(const SensorOptions& s) {
   require_in(s.word_bits, 13, 15, "sensor.word_bits");
   require(s.max_range_m > 0.0, "sensor.max_range_m", s.max_range_m, "> 0");
   require(s.min_range_m >= 0.0 && s.min_range_m < s.range_limit_m(), "sensor.min_range_m", s.min_range_m,
-          "[0, " + std::to_string(s.range_limit_m()) + "), below the greatest range");
+          "[0, " + number_text(s.range_limit_m()) + "), below the greatest range");
 }
 
 void check_errors(const SensorOptions& s) {

@@ -6,6 +6,7 @@
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/sensor_fault.hpp"
+#include "core/text/number_text.hpp"
 #include "sim/spatial/mjcf_actors.hpp"
 #include "sim/spatial/part_names.hpp"
 
@@ -100,7 +101,7 @@ void TowPhysics::step_to(const WorldState& next) {
   for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
     if (data_->warning[warning].number == 0) continue;
     throw SensorFault(SensorFault::Kind::kSimulator,
-                      "MuJoCo: the towed cylinders' physics diverged at t = " + std::to_string(next.time_s) +
+                      "MuJoCo: the towed cylinders' physics diverged at t = " + number_text(next.time_s) +
                           " s; a lighter cylinder or a slower walker may help");
   }
 }

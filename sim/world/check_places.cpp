@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/errors/input_error.hpp"
+#include "core/text/number_text.hpp"
 #include "sim/world/quoted.hpp"
 #include "sim/world/rounded_path.hpp"
 #include "sim/world/solid_geometry.hpp"
@@ -31,7 +32,7 @@ void check_room(const World& world, const Disc& disc, const std::string& name) {
     if (solid.bottom_m >= disc.height_m || solid.top_m <= 0.0) continue;
     const double room_m = clearance_m(solid.shape, disc.center_m);
     require(room_m >= disc.radius_m, name + ": distance to " + quoted("solid", solid.id), room_m,
-            ">= " + std::to_string(disc.radius_m) + " m, its radius");
+            ">= " + number_text(disc.radius_m) + " m, its radius");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/errors/ensure.hpp"
 #include "core/errors/input_error.hpp"
+#include "core/text/number_text.hpp"
 #include "sim/world/world_limits.hpp"
 
 namespace scanbed::sim {
@@ -121,7 +122,7 @@ void validate_path(const Path& path, std::string_view name) {
     const double cut = cut_per_radius(turn_before_rad) + cut_per_radius(edges[i].turn_rad);
     const double largest_m = edges[i].length_m / cut;
     require(path.round_m >= 0.0 && path.round_m <= largest_m + kSlack_m, edge_name + ": round", path.round_m,
-            "0 to " + std::to_string(largest_m) + " m, the largest that fits between its corners");
+            "0 to " + number_text(largest_m) + " m, the largest that fits between its corners");
     turn_before_rad = edges[i].turn_rad;
   }
 }

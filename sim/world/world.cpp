@@ -8,6 +8,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "core/geometry/cross.hpp"
+#include "core/text/number_text.hpp"
 #include "sim/world/check_places.hpp"
 #include "sim/world/drive_plan.hpp"
 #include "sim/world/gait.hpp"
@@ -125,11 +126,11 @@ void check_stops(const Walker& walker, const std::string& name) {
     require(stop.at_m >= 0.0 && stop.at_m > before_m, which + ": at_m", stop.at_m,
             ">= 0, behind the stop before");
     require(stop.at_m <= end_m, which + ": at_m", stop.at_m,
-            "at most " + std::to_string(end_m) + " m, where its path ends");
+            "at most " + number_text(end_m) + " m, where its path ends");
     require(std::abs(stop.turn_rad) <= 2.0 * kPi, which + ": turn_rad", stop.turn_rad, "at most one turn");
     const double least_s = shortest_stop_s(walker.speed_m_per_s, stop.turn_rad);
     require(stop.for_s >= least_s, which + ": for_s", stop.for_s,
-            ">= " + std::to_string(least_s) + ", to set the feet down and turn");
+            ">= " + number_text(least_s) + ", to set the feet down and turn");
     before_m = stop.at_m;
   }
 }

@@ -23,7 +23,7 @@ TEST(ScorerTest, ScoresTracksWhereThereAre) {
   scan.time_s = 0.5;
   scorer.add_tracks(tracks, scan, scene.truth());
   ASSERT_TRUE(scorer.scores().person && scorer.scores().cylinder);
-  EXPECT_DOUBLE_EQ(scorer.scores().cylinder->mota(), 1.0);
+  EXPECT_DOUBLE_EQ(scorer.scores().cylinder->mota().value(), 1.0);
   EXPECT_DOUBLE_EQ(scorer.scores().cylinder->object_time_s, 0.5);
   EXPECT_EQ(scorer.scores().person->num_false, 2);
 }

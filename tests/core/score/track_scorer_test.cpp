@@ -22,7 +22,7 @@ TEST(TrackScorerTest, CountsMatchesMissesAndFalseTracks) {
   EXPECT_EQ(tally.num_matches, 1);
   EXPECT_EQ(tally.num_false, 1);
   EXPECT_NEAR(tally.sum_error_m, 0.2, 1e-12);
-  EXPECT_DOUBLE_EQ(tally.mota(), 0.0);  // one miss and one false of two
+  EXPECT_DOUBLE_EQ(tally.mota().value(), 0.0);  // one miss and one false of two
 }
 
 TEST(TrackScorerTest, AMatchIsKeptThoughAnotherTrackIsNearer) {
@@ -40,8 +40,8 @@ TEST(TrackScorerTest, ASwitchIsCountedOnceAlsoAfterAGap) {
   scorer.add({truth("a", 1.0)}, {person(2, 1.0)}, 15.0);
   scorer.add({truth("a", 1.0)}, {person(2, 1.0)}, 15.0);
   EXPECT_EQ(scorer.tally().num_switches, 1);
-  EXPECT_DOUBLE_EQ(scorer.tally().switches_per_minute(), 1.0);
-  EXPECT_DOUBLE_EQ(scorer.tally().mota(), 1.0 - 2.0 / 4.0);
+  EXPECT_DOUBLE_EQ(scorer.tally().switches_per_minute().value(), 1.0);
+  EXPECT_DOUBLE_EQ(scorer.tally().mota().value(), 1.0 - 2.0 / 4.0);
 }
 
 TEST(TrackScorerTest, TwoWhoTakeEachOthersTrackAreTwoSwitches) {
@@ -51,7 +51,7 @@ TEST(TrackScorerTest, TwoWhoTakeEachOthersTrackAreTwoSwitches) {
   EXPECT_EQ(scorer.tally().num_switches, 2);
   EXPECT_EQ(scorer.tally().num_matches, 4);
   EXPECT_EQ(scorer.tally().num_identity_true, 2);
-  EXPECT_DOUBLE_EQ(scorer.tally().idf1(), 0.5);
+  EXPECT_DOUBLE_EQ(scorer.tally().idf1().value(), 0.5);
 }
 
 TEST(TrackScorerTest, WhatNeedNotBeFoundExcusesATrackAndKeepsItsName) {
@@ -65,8 +65,8 @@ TEST(TrackScorerTest, WhatNeedNotBeFoundExcusesATrackAndKeepsItsName) {
   EXPECT_EQ(tally.num_neither, 1);
   EXPECT_EQ(tally.num_false, 0);
   EXPECT_EQ(tally.num_switches, 0);
-  EXPECT_DOUBLE_EQ(tally.mota(), 1.0);
-  EXPECT_DOUBLE_EQ(tally.idf1(), 1.0);
+  EXPECT_DOUBLE_EQ(tally.mota().value(), 1.0);
+  EXPECT_DOUBLE_EQ(tally.idf1().value(), 1.0);
   EXPECT_DOUBLE_EQ(tally.object_time_s, 2.0);  // hidden, it is not in view
 }
 
@@ -83,7 +83,22 @@ TEST(TrackScorerTest, IdentitiesAreThoseOfTheWholeRun) {
   TrackScorer scorer(TrackKind::kPerson, 0.5);
   for (int i = 0; i < 10; ++i) scorer.add({truth("a", 1.0)}, {person(i < 7 ? 1 : 2, 1.0)}, 0.1);
   EXPECT_EQ(scorer.tally().num_identity_true, 7);
-  EXPECT_DOUBLE_EQ(scorer.tally().idf1(), 14.0 / 20.0);
+  EXPECT_DOUBLE_EQ(scorer.tally().idf1().value(), 14.0 / 20.0);
+}
+
+// The track on the hidden one is near the other one too; it counts for neither, and IDF1 never exceeds 1.
+TEST(TrackScorerTest, AnExcusedTrackIsNobodysIdentity) {
+  TrackScorer scorer(TrackKind::kPerson, 0.5);
+  scorer.add({truth("a", 1.0, Visibility::kMarginal)}, {person(1, 1.0)}, 0.0);
+  for (int i = 0; i < 4; ++i) {
+    scorer.add({truth("a", 1.0, Visibility::kHidden), truth("b", 1.3)}, {person(1, 1.1)}, 0.1);
+  }
+  const TrackTally tally = scorer.tally();
+  EXPECT_EQ(tally.num_truths, 4);
+  EXPECT_EQ(tally.num_neither, 5);
+  EXPECT_EQ(tally.num_identity_tracks, 0);
+  EXPECT_EQ(tally.num_identity_true, 0);
+  EXPECT_EQ(tally.idf1(), 0.0);
 }
 
 TEST(TrackScorerTest, OtherKindsAreNotLookedAt) {

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "hw/serial/stop_signal.hpp"
 #include "tests/hw/recording/late_parts.hpp"
 #include "tests/support/gzip.hpp"
 
@@ -171,6 +173,23 @@ TEST(ByteStreamTest, WaitsForAPipeNoLongerThanIsAllowed) {
   EXPECT_FALSE(bytes->wait_until(before_s));
   ::close(pipe[1]);
   EXPECT_TRUE(bytes->wait_until(before_s)) << "the end has come";
+}
+
+// A pipe whose writer says nothing, and a FIFO that has none yet.
+TEST(ByteStreamTest, AWaitForBytesCanBeInterrupted) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe2(pipe.data(), O_CLOEXEC), 0);
+  const TemporaryFile place("");
+  const std::filesystem::path fifo = place.path().string() + ".fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  for (const std::filesystem::path& path : {"/proc/self/fd/" + std::to_string(pipe[0]), fifo.string()}) {
+    int num_asked = 0;
+    const auto bytes = open_file(path, [&] { return ++num_asked == 3; });
+    EXPECT_THROW(drain_some(*bytes, 1), Stopped) << path;
+    EXPECT_EQ(num_asked, 3);
+  }
+  std::filesystem::remove(fifo);
+  for (const int end : pipe) ::close(end);
 }
 
 TEST(ByteStreamTest, NeverWaitsForWhatIsThere) {

@@ -37,6 +37,13 @@ TEST(PacedReplayTest, GivesARangeAndNumbersItFromZero) {
   EXPECT_EQ(given({}).size(), 10U);
 }
 
+TEST(PacedReplayTest, CountsTheScansThatItGave) {
+  PacedReplay replay(ten_scans(), {.from_s = 0.5, .to_s = 1.0});
+  Reading reading;
+  read_to_end(replay, reading);
+  EXPECT_EQ(replay.counts().num_scans, 3);
+}
+
 TEST(PacedReplayTest, KeepsTheRhythmOfTheRecording) {
   // 2.25 s between first and last scan.
   const double seconds = seconds_to_give({.speed = 10.0});

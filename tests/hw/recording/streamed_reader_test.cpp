@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hw/serial/stop_signal.hpp"
 #include "tests/hw/recording/made_recording.hpp"
 
 namespace scanbed::hw {
@@ -13,7 +14,10 @@ class FakeSource final : public ScanSource {
  public:
   FakeSource(int num_scans, bool fails) : num_scans_(num_scans), fails_(fails) { metadata_["a"] = "b"; }
 
+  bool is_interrupted = false;  // while it waits for a scan
+
   bool read(RecordedScan& out) override {
+    if (is_interrupted) throw Stopped{};
     out = {};  // a source may leave anything behind where there is no scan
     if (num_read_ == num_scans_ && fails_) {
       ++counts_.num_damaged_lines;
@@ -69,6 +73,33 @@ TEST(StreamedReaderTest, AFailureComesOnceAfterTheScansBeforeIt) {
   EXPECT_FALSE(reader.next(scan, {}));
   EXPECT_EQ(reader.counts().num_scans, 1);
   EXPECT_EQ(reader.counts().num_damaged_lines, 1);
+}
+
+TEST(StreamedReaderTest, AnInterruptIsTheEndButBeforeTheFirstScan) {
+  auto source = std::make_unique<FakeSource>(3, false);
+  FakeSource& interrupted = *source;
+  StreamedReader reader(std::move(source), "x");
+  LaserScan scan;
+  interrupted.is_interrupted = true;
+  EXPECT_TRUE(reader.next(scan, {})) << "read ahead";
+  EXPECT_FALSE(reader.next(scan, {}));
+  interrupted.is_interrupted = false;
+  EXPECT_FALSE(reader.next(scan, {}));
+  auto from_the_start = std::make_unique<FakeSource>(3, false);
+  from_the_start->is_interrupted = true;
+  EXPECT_THROW(StreamedReader(std::move(from_the_start), "x"), Stopped);
+}
+
+TEST(StreamedReaderTest, ReadingsFromTheLimitOnAreNoEchoes) {
+  const LaserScan plain = made_scan(0);
+  const double limit_m = plain.range_m[200];
+  StreamedReader reader(std::make_unique<FakeSource>(1, false), "x", {.no_return_m = limit_m});
+  LaserScan scan;
+  ASSERT_TRUE(reader.next(scan, {}));
+  EXPECT_EQ(scan.range_m[200], kNoEcho);
+  for (int i = 0; i < plain.num_beams(); ++i) {
+    EXPECT_EQ(scan.has_echo(i), plain.has_echo(i) && plain.range_m[i] < limit_m) << i;
+  }
 }
 
 TEST(StreamedReaderTest, RefusesARecordingWithoutScans) {

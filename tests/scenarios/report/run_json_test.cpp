@@ -20,6 +20,8 @@ TEST(RunJsonTest, SaysWhatRan) {
   const nlohmann::json run = first_run(testing::made_result());
   EXPECT_EQ(run["scenario"], "hall");
   EXPECT_EQ(run["seed"], 7);
+  EXPECT_EQ(run["engine"], "planar");
+  EXPECT_EQ(run["scored_scans"], 10);
   EXPECT_EQ(run["laser"], "sim");
   EXPECT_EQ(run["preset"], "paper");
   EXPECT_EQ(run["scans"], 10);
@@ -111,6 +113,8 @@ TEST(RunJsonTest, HoldsWhatWasFollowed) {
   EXPECT_DOUBLE_EQ(person["mota"], 0.7);
   EXPECT_DOUBLE_EQ(person["motp_m"], 0.1);
   EXPECT_EQ(person["id_switches"], 1);
+  EXPECT_EQ(person["false_per_scan"], 0.0);
+  EXPECT_TRUE(person["id_switches_per_minute"].is_null()) << "nobody was in view for any time";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/report/run_summary.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -44,12 +45,13 @@ TEST(RunSummaryTest, HasARowForEachScenario) {
 // Pooled: 3 switches in 2 minutes, and 10 of 100 truths missed or taken for others.
 TEST(RunSummaryTest, TellsHowPeopleWereFollowed) {
   std::vector<RunResult> results = {result("hall", 1), result("hall", 2)};
-  results[0].scores->person = {.num_truths = 40, .num_matches = 40, .num_switches = 3, .object_time_s = 30.0};
+  results[0].scores->person = {
+      .num_truths = 40, .num_matches = 40, .num_false = 2, .num_switches = 3, .object_time_s = 30.0};
   results[1].scores->person = {.num_truths = 60, .num_matches = 53, .object_time_s = 90.0};
   const std::string text = summary(results);
-  EXPECT_TRUE(holds_line(text, "  scenario  ", "    MOTA  switches/min")) << text;
-  EXPECT_TRUE(holds_line(text, "  hall  ", "   0.900          1.50  pass")) << text;
-  EXPECT_TRUE(holds_line(summary({result("hall", 1)}), "  hall  ", "       -             -  pass"));
+  EXPECT_TRUE(holds_line(text, "  scenario  ", "    MOTA  switches/min  false")) << text;
+  EXPECT_TRUE(holds_line(text, "  hall  ", "   0.880          1.50   0.10  pass")) << text;
+  EXPECT_TRUE(holds_line(summary({result("hall", 1)}), "  hall  ", "       -             -      -  pass"));
 }
 
 TEST(RunSummaryTest, TellsTheWorstOfAMissedGate) {
@@ -63,6 +65,17 @@ TEST(RunSummaryTest, TellsTheWorstOfAMissedGate) {
   EXPECT_TRUE(holds_line(text, "hall: circle recall >= 0.75: missed in 2 of 3", "worst 0.5 (seed 2)"))
       << text;
   EXPECT_TRUE(text.ends_with("3 runs: 2 missed a gate\n")) << text;
+}
+
+// Whichever seed comes first.
+TEST(RunSummaryTest, NothingMeasuredIsTheWorst) {
+  for (const int empty : {0, 1}) {
+    std::vector<RunResult> results = {result("hall", 1), result("hall", 2)};
+    for (RunResult& run : results) run.gates[0].met = false;
+    results[empty].gates[0].value.reset();
+    const std::string worst = fmt::format("worst nothing (seed {})", empty + 1);
+    EXPECT_TRUE(holds_line(summary(results), "missed in 2 of 2", worst)) << summary(results);
+  }
 }
 
 TEST(RunSummaryTest, TellsWhyAKnownFailureFails) {

@@ -27,8 +27,24 @@ Words row(const std::string& table, const Words& first) {
 }
 
 TEST(ScoreTableTest, BeginsWithWhatRan) {
-  EXPECT_TRUE(
-      score_table(testing::made_result()).starts_with("hall  seed 7  laser sim  preset paper  10 scans\n"));
+  EXPECT_TRUE(score_table(testing::made_result())
+                  .starts_with("hall  seed 7  laser sim  engine planar  preset paper  10 scans\n"));
+}
+
+TEST(ScoreTableTest, SaysWhatOfTheScansWasScored) {
+  RunResult result = testing::made_result();
+  result.num_scans = 12;
+  EXPECT_NE(score_table(result).find("  12 scans, 10 of them scored: the others have no truth\n"),
+            std::string::npos)
+      << score_table(result);
+}
+
+TEST(ScoreTableTest, AMissedBarNeverLooksMet) {
+  RunResult result = testing::made_result();
+  result.gates = {
+      {.need = {FeatureKind::kCircle, find_metric("precision", FeatureKind::kCircle).value(), 0.9945},
+       .value = 0.994456763}};
+  EXPECT_NE(score_table(result).find("0.99446  MISS"), std::string::npos) << score_table(result);
 }
 
 TEST(ScoreTableTest, HoldsARowForEachKind) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace scanbed::hw {
+
+/// How a recording is read.
+struct RecordingOptions {
+  std::string only;  ///< read this message (CARMEN), topic (bag, MCAP) or device (Player) alone; empty: all
+  std::optional<double> no_return_m;  ///< readings from here on mean "no return"
+  std::function<bool()>
+      is_interrupted;  ///< asked ten times a second; true ends a wait for bytes; may be empty
+
+  void validate() const;  ///< @throws InputError naming the first field that is not allowed
+};
+
+}  // namespace scanbed::hw
