@@ -182,7 +182,7 @@ TEST(ByteStreamTest, AWaitForBytesCanBeInterrupted) {
   const TemporaryFile place("");
   const std::filesystem::path fifo = place.path().string() + ".fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
-  for (const std::filesystem::path& path : {"/proc/self/fd/" + std::to_string(pipe[0]), fifo.string()}) {
+  for (const std::string& path : {"/proc/self/fd/" + std::to_string(pipe[0]), fifo.string()}) {
     int num_asked = 0;
     const auto bytes = open_file(path, [&] { return ++num_asked == 3; });
     EXPECT_THROW(drain_some(*bytes, 1), Stopped) << path;
