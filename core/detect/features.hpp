@@ -44,9 +44,9 @@ struct Circle {
   BeamSpan beams;
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   double radius_m = 0.0;
-  double average_rad = 0.0;  ///< mean inscribed angle
-  double std_rad = 0.0;      ///< standard deviation of the inscribed angles
-  double score = 0.0;        ///< [0, 1]
+  std::optional<double> average_rad;  ///< mean inscribed angle; of the paper's detector alone
+  std::optional<double> std_rad;      ///< standard deviation of the inscribed angles; of that alone too
+  double score = 0.0;                 ///< [0, 1]
 };
 
 /// Table I, column Leg; sensor frame S.

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/geometry/cross.hpp"
+#include "core/geometry/polar.hpp"
+#include "core/interpret/gap_view.hpp"
 #include "core/interpret/piece_order.hpp"
 
 namespace scanbed {
@@ -13,9 +15,20 @@ namespace {
 
 constexpr int kMaxBeamsBetween = 4;  // echoes at a corner that neither piece took
 constexpr double kMinPiece_m = 0.10;
+constexpr double kMaxUnseen_m = 0.5;
 
-// Where both lines meet, if that is near the end of a and the beginning of b.
-std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const InterpretOptions& options) {
+// How far along its line a piece may go on between its end and a beam that saw it no more: where beams are
+// far apart, or graze it, a corner can be that far from its last echo.
+double unseen_m(const Line& line, const Eigen::Vector2d& end_m, double bearing_rad) {
+  const WallPlane plane = plane_through(line);
+  const double cosine = plane.normal.dot(polar(bearing_rad, 1.0));
+  if (cosine * plane.distance_m <= 0.0) return kMaxUnseen_m;  // that beam never meets it
+  return std::min((polar(bearing_rad, plane.distance_m / cosine) - end_m).norm(), kMaxUnseen_m);
+}
+
+// Where both lines meet, if that is near the end of a and the beginning of b, as far as the beams tell.
+std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const ScanGeometry& geometry,
+                                             const InterpretOptions& options) {
   const Eigen::Vector2d along_a_m = a.right_m - a.left_m;
   const Eigen::Vector2d along_b_m = b.right_m - b.left_m;
   if (std::min(along_a_m.norm(), along_b_m.norm()) < kMinPiece_m) return std::nullopt;
@@ -23,8 +36,10 @@ std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const
   if (std::abs(sine) < std::sin(options.min_corner_rad)) return std::nullopt;
   const double share = cross(b.left_m - a.left_m, along_b_m) / cross(along_a_m, along_b_m);
   const Eigen::Vector2d corner_m = a.left_m + share * along_a_m;
-  if ((corner_m - a.right_m).norm() > options.corner_reach_m) return std::nullopt;
-  if ((corner_m - b.left_m).norm() > options.corner_reach_m) return std::nullopt;
+  const double unseen_a_m = unseen_m(a, a.right_m, geometry.bearing_rad(b.beams.first));
+  const double unseen_b_m = unseen_m(b, b.left_m, geometry.bearing_rad(a.beams.last));
+  if ((corner_m - a.right_m).norm() > options.corner_reach_m + unseen_a_m) return std::nullopt;
+  if ((corner_m - b.left_m).norm() > options.corner_reach_m + unseen_b_m) return std::nullopt;
   return corner_m;
 }
 
@@ -39,7 +54,7 @@ void find_corners(const std::vector<Line>& lines, const LaserScan& scan, const I
     const int k = order.after(i, 1);
     const BeamSpan between = order.between(lines[i], lines[k]);
     if (between.last - between.first + 1 > kMaxBeamsBetween) continue;
-    const auto corner_m = meeting_point(lines[i], lines[k], options);
+    const auto corner_m = meeting_point(lines[i], lines[k], scan.geometry, options);
     if (!corner_m) continue;
     const Eigen::Vector2d into_walls =
         (lines[i].left_m - *corner_m).normalized() + (lines[k].right_m - *corner_m).normalized();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/interpret/gap_view.hpp"
 #include "core/interpret/piece_order.hpp"
@@ -66,6 +67,8 @@ void WallGroups::find(const LaserScan& scan, const std::vector<Line>& lines, con
                       Scene& scene) {
   next_.assign(lines.size(), kNoLine);
   is_later_.assign(lines.size(), 0);
+  longest_.resize(lines.size());
+  std::iota(longest_.begin(), longest_.end(), 0);
   link(scan, lines, options, scene);
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
     if (is_later_[i] == 0) add_wall(lines, i, options, scene);
@@ -73,13 +76,16 @@ void WallGroups::find(const LaserScan& scan, const std::vector<Line>& lines, con
 }
 
 // Each piece with the next one that lies on its line, unless they are too far apart or a wide opening is
-// between.
+// between. On the line of the wall's longest piece too, or a curve would be one wall, bit by bit.
 void WallGroups::link(const LaserScan& scan, const std::vector<Line>& lines, const InterpretOptions& options,
                       Scene& scene) {
   const int num_lines = static_cast<int>(lines.size());
   const PieceOrder order(scan, num_lines);
   for (int i = 0; i < num_lines; ++i) {
-    const auto is_next = [&](int k) { return is_later_[k] == 0 && continues(lines[i], lines[k], options); };
+    const auto is_next = [&](int k) {
+      return is_later_[k] == 0 && continues(lines[i], lines[k], options) &&
+             is_collinear(lines[longest_[i]], lines[k], options);
+    };
     int num_on = 1;
     while (num_on <= order.num_after(i) && !is_next(order.after(i, num_on))) ++num_on;
     if (num_on > order.num_after(i)) continue;
@@ -96,6 +102,7 @@ void WallGroups::link(const LaserScan& scan, const std::vector<Line>& lines, con
     }
     next_[i] = k;
     is_later_[k] = 1;
+    longest_[k] = length_m(lines[k]) > length_m(lines[longest_[i]]) ? k : longest_[i];
   }
 }
 

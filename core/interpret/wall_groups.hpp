@@ -24,6 +24,7 @@ class WallGroups {
   void add_wall(const std::vector<Line>& lines, int first, const InterpretOptions& options, Scene& scene);
 
   std::vector<int> next_;       ///< of each piece: the next one of its wall, or -1
+  std::vector<int> longest_;    ///< of each piece: the longest one of its wall up to it
   std::vector<char> is_later_;  ///< of each piece: another one of its wall comes before it
 };
 

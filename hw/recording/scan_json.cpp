@@ -74,12 +74,15 @@ Line read_line(const JsonValue& json, int num_beams) {
 }
 
 Circle read_circle(const JsonValue& json, int num_beams) {
-  return {.beams = read_beams(json, num_beams),
-          .center_m = read_point(json, "center"),
-          .radius_m = number_at(json, "radius"),
-          .average_rad = number_at(json, "average"),
-          .std_rad = number_at(json, "std"),
-          .score = number_at(json, "score")};
+  Circle circle{.beams = read_beams(json, num_beams),
+                .center_m = read_point(json, "center"),
+                .radius_m = number_at(json, "radius"),
+                .score = number_at(json, "score")};
+  if (json.find("average") != nullptr) {
+    circle.average_rad = number_at(json, "average");
+    circle.std_rad = number_at(json, "std");
+  }
+  return circle;
 }
 
 Leg read_leg(const JsonValue& json, int num_beams) {
@@ -100,8 +103,11 @@ void write_line(JsonText& json, const Line& line) {
 void write_circle(JsonText& json, const Circle& circle) {
   begin_feature(json, "circle", circle.beams);
   write_point(json, "center", circle.center_m);
-  json.key("radius").number(circle.radius_m).key("average").number(circle.average_rad);
-  json.key("std").number(circle.std_rad).key("score").number(circle.score).end_object();
+  json.key("radius").number(circle.radius_m);
+  if (circle.average_rad && circle.std_rad) {
+    json.key("average").number(*circle.average_rad).key("std").number(*circle.std_rad);
+  }
+  json.key("score").number(circle.score).end_object();
 }
 
 void write_beam(JsonText& json, const BeamTruth& beam) {

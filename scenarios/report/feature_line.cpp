@@ -103,8 +103,8 @@ void append(std::string& out, const Circle& circle) {
   begin_object(out, "circle", circle.beams)
       .point("center", circle.center_m)
       .number("radius", circle.radius_m)
-      .number("average", circle.average_rad)
-      .number("std", circle.std_rad)
+      .number_or_null("average", circle.average_rad)
+      .number_or_null("std", circle.std_rad)
       .number("score", circle.score);
 }
 

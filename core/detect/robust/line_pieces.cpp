@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "core/simd/double_lanes.hpp"
 
@@ -152,6 +153,30 @@ void LineSplitter::append_pieces(Stretch surface, std::vector<LinePiece>& pieces
     pieces.push_back({places, chi2, cost_of(places, chi2)});
   }
   while (merge_once(first_piece, pieces)) {
+  }
+  settle_cuts(std::span(pieces).subspan(first_piece));
+}
+
+// A cut was sought while the parts on its sides were not cut themselves: a niche farther on moves it. Once
+// more, then, between what stayed, for all at once: so it does not matter from which side they are read.
+void LineSplitter::settle_cuts(std::span<LinePiece> pieces) {
+  const std::size_t num_cuts = pieces.empty() ? 0 : pieces.size() - 1;
+  for (std::size_t i = 0; i < num_cuts; ++i) {
+    const auto& [a, b] = std::tie(pieces[i], pieces[i + 1]);
+    cuts_[i] = {a.places.last, a.chi2, b.chi2};
+    if (std::min(a.places.size(), b.places.size()) < kNumCuts) continue;
+    const Stretch both{a.places.first, b.places.last};
+    const RayLineSums::Cut cut = sums_->best_cut(both, a.places.last - kNumCuts / 2);
+    if (cut.chi2() < a.chi2 + b.chi2) cuts_[i] = cut;
+  }
+  for (std::size_t i = 0; i < num_cuts; ++i) {
+    if (cuts_[i].place == pieces[i].places.last) continue;
+    pieces[i].places.last = cuts_[i].place;
+    pieces[i + 1].places.first = cuts_[i].place + 1;
+    for (LinePiece* piece : {&pieces[i], &pieces[i + 1]}) {
+      piece->chi2 = sums_->chi2_of(piece->places);
+      piece->cost = cost_of(piece->places, piece->chi2);
+    }
   }
 }
 

@@ -53,6 +53,7 @@ class LineSplitter {
   double cost_of(Stretch places, double chi2) const;
   bool merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces);
   bool compare_pairs(std::span<const LinePiece> pieces);
+  void settle_cuts(std::span<LinePiece> pieces);
 
   const Echoes* echoes_ = nullptr;
   const RayLineSums* sums_ = nullptr;

@@ -23,7 +23,7 @@ TEST(CircleDetectorTest, RecoversCentreAndRadiusOfAnExactArc) {
     ASSERT_TRUE(circle) << central_deg;
     EXPECT_NEAR((circle->center_m - Eigen::Vector2d(3.0, 1.0)).norm(), 0.0, 1e-9);
     EXPECT_NEAR(circle->radius_m, 0.25, 1e-9);
-    EXPECT_NEAR(circle->average_rad, kPi - radians(central_deg) / 2, 1e-9);
+    EXPECT_NEAR(circle->average_rad.value(), kPi - radians(central_deg) / 2, 1e-9);
     EXPECT_EQ(circle->beams.first, 0);
     EXPECT_EQ(circle->beams.last, 12);
   }
@@ -83,7 +83,7 @@ TEST(CircleDetectorTest, ArcLikeShapesNeedAWiderThreshold) {
   const auto angles_like_a_trunk = circle_of(trunk(), wide);
   ASSERT_TRUE(angles_like_a_trunk);
   EXPECT_NEAR((angles_like_a_trunk->center_m - Eigen::Vector2d(3.0, 0.0)).norm(), 0.0, 0.1);
-  const CircleOptions tight{.max_std_rad = angles_like_a_trunk->std_rad * 0.99};
+  const CircleOptions tight{.max_std_rad = angles_like_a_trunk->std_rad.value() * 0.99};
   EXPECT_FALSE(circle_of(trunk(), tight));
 }
 

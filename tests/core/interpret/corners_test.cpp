@@ -3,6 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
+#include "core/detect/feature_detector.hpp"
+#include "core/geometry/angles.hpp"
+#include "tests/support/ideal_scene.hpp"
+
 namespace scanbed {
 namespace {
 
@@ -100,6 +107,43 @@ TEST(CornersTest, AWallAcrossTheSeamHasItsCorners) {
 
 TEST(CornersTest, NoLinesNoCorners) {
   EXPECT_TRUE(corners_of({}).objects.empty());
+}
+
+// A long wall that the beams graze is seen in points half a metre apart: so far may a corner be from the
+// last.
+TEST(CornersTest, ACornerMayLieBetweenBeamsThatAreFarApart) {
+  for (const int num_beams : {181, 361}) {
+    for (const auto& [half_x_m, half_y_m] : {std::pair(5.0, 2.0), {6.0, 2.0}, {8.0, 4.0}}) {
+      testing::IdealScene room({.num_beams = num_beams, .step_rad = kPi / (num_beams - 1)});
+      room.wall({-half_x_m, -half_y_m}, {half_x_m, -half_y_m});
+      room.wall({half_x_m, -half_y_m}, {half_x_m, half_y_m});
+      room.wall({half_x_m, half_y_m}, {-half_x_m, half_y_m});
+      const LaserScan scan = testing::with_noise(room.scan(), 0.003, 1);
+      FeatureDetector detector(robust_options());
+      Scene scene;
+      find_corners(detector.detect(scan).lines, scan, {}, scene);
+      ASSERT_EQ(scene.objects.size(), 2u) << num_beams << " beams, " << half_x_m;
+      for (const SceneObject& corner : scene.objects) {
+        EXPECT_FALSE(corner.is_outer);
+        EXPECT_NEAR(corner.center_m.x(), half_x_m, 0.03);
+        EXPECT_NEAR(std::abs(corner.center_m.y()), half_y_m, 0.03);
+      }
+    }
+  }
+}
+
+// The wall behind ends where the nearer one hides it, not at it.
+TEST(CornersTest, WhatHidesAWallMakesNoCornerWithIt) {
+  testing::IdealScene scene;
+  scene.wall({4.0, -4.0}, {4.0, 1.5});
+  scene.wall({2.0, 0.5}, {2.6, 2.0});
+  const LaserScan scan = testing::with_noise(scene.scan(), 0.003, 1);
+  FeatureDetector detector(robust_options());
+  const std::vector<Line> lines = detector.detect(scan).lines;
+  ASSERT_EQ(lines.size(), 2u);
+  Scene found;
+  find_corners(lines, scan, {}, found);
+  EXPECT_TRUE(found.objects.empty());
 }
 
 }  // namespace

@@ -86,5 +86,18 @@ TEST(WallGroupsTest, AShortPieceIsNoWall) {
   EXPECT_TRUE(walls_in(hall).walls.empty());
 }
 
+// Bit by bit a round hall goes on straight; as a whole it does not.
+TEST(WallGroupsTest, ACurveIsNotOneWall) {
+  for (const double radius_m : {3.0, 4.0, 5.0}) {
+    testing::IdealScene hall;
+    hall.cylinder({0.0, 0.0}, radius_m);
+    const Found found = walls_in(hall);
+    EXPECT_GT(found.features.lines.size(), 5u);
+    for (const SceneObject& wall : found.walls) {
+      EXPECT_GT((0.5 * (wall.left_m + wall.right_m)).norm(), radius_m - 0.2) << radius_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace scanbed

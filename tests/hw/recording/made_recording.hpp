@@ -78,7 +78,8 @@ inline Features made_features() {
                             .score = 0.75});
   features.lines.push_back({.beams = {50, 60}, .num_points = 11});  // along y: no slope
   features.circles.push_back(
-      {.beams = {120, 140}, .center_m = {3.0, 1.2}, .radius_m = 0.25, .average_rad = 1.9});
+      {.beams = {120, 140}, .center_m = {3.0, 1.2}, .radius_m = 0.25, .average_rad = 1.9, .std_rad = 0.25});
+  features.circles.push_back({.beams = {150, 160}, .center_m = {3.0, 2.0}, .radius_m = 0.5});
   features.legs.push_back({.beams = {200, 206}, .middle_m = {2.1, 0.4}, .score = 0.8});
   return features;
 }

@@ -41,9 +41,11 @@ TEST(ScanJsonTest, FeaturesComeBack) {
   EXPECT_EQ(read.lines[0].bias_m, features.lines[0].bias_m);
   EXPECT_EQ(read.lines[0].num_points, 41);
   EXPECT_FALSE(read.lines[1].slope.has_value());
-  ASSERT_EQ(read.circles.size(), 1U);
+  ASSERT_EQ(read.circles.size(), 2U);
   EXPECT_EQ(read.circles[0].center_m, features.circles[0].center_m);
   EXPECT_EQ(read.circles[0].average_rad, 1.9);
+  EXPECT_EQ(read.circles[0].std_rad, 0.25);
+  EXPECT_FALSE(read.circles[1].average_rad || read.circles[1].std_rad);
   ASSERT_EQ(read.legs.size(), 1U);
   EXPECT_EQ(read.legs[0].score, 0.8);
 }

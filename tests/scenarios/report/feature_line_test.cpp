@@ -46,6 +46,14 @@ TEST(FeatureLineTest, HasThePublicKeys) {
             "\n");
 }
 
+// The robust pipeline compares models, and has no inscribed angles.
+TEST(FeatureLineTest, WhatACircleDoesNotHaveIsNull) {
+  Features features;
+  features.circles.push_back({.radius_m = 0.25});
+  EXPECT_NE(line_of(LaserScan{}, features).find(R"("radius":0.25,"average":null,"std":null,)"),
+            std::string::npos);
+}
+
 TEST(FeatureLineTest, PrintsTracksWhereThereAre) {
   const std::vector<Track> tracks = {{.id = 7,
                                       .kind = TrackKind::kPerson,

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/geometry/angles.hpp"
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -54,6 +56,26 @@ TEST(LineSplitterTest, ACornerSplitsWhereItIs) {
       (std::atan2(1.0, 3.0) - scan.geometry.first_rad) / scan.geometry.step_rad;  // as the wall meets it
   EXPECT_NEAR(result.echoes.beam[result.pieces[0].places.last], corner_beam, 2.0);
   EXPECT_EQ(result.pieces[1].places.first, result.pieces[0].places.last + 1);
+}
+
+// A door set back in the far wall moves the first cut; it shall end at the corner of the room all the same.
+TEST(LineSplitterTest, ANicheFartherOnMovesNoCorner) {
+  for (const double niche_m : {-0.6, -0.3, 0.0, 0.3, 0.6}) {
+    IdealScene scene;
+    scene.wall({-1.0, -4.0}, {2.0, -4.0});
+    scene.wall({2.0, -4.0}, {2.0, niche_m - 0.5});
+    scene.wall({2.0, niche_m - 0.5}, {2.12, niche_m - 0.5});
+    scene.wall({2.12, niche_m - 0.5}, {2.12, niche_m + 0.5});
+    scene.wall({2.12, niche_m + 0.5}, {2.0, niche_m + 0.5});
+    scene.wall({2.0, niche_m + 0.5}, {2.0, 4.0});
+    scene.wall({2.0, 4.0}, {-1.0, 4.0});
+    const Split result = split(scene.scan());
+    const double corner_beam = degrees(kPi / 2 - std::atan2(4.0, 2.0)) / 0.5;
+    ASSERT_GE(result.pieces.size(), 4u);
+    EXPECT_EQ(result.echoes.beam[result.pieces.front().places.last], std::floor(corner_beam)) << niche_m;
+    EXPECT_EQ(result.echoes.beam[result.pieces.back().places.first], 360 - std::floor(corner_beam))
+        << niche_m;
+  }
 }
 
 // Rooms in noise of 20 mm whose pieces went together otherwise when they were read from the last beam, as
