@@ -57,6 +57,19 @@ bool log_in(ColaClient& client) {
   return !is_error(answer) && result_of(answer, 0) == 1;
 }
 
+/// Asks until the sensor has time for it; whether it can do it is another matter.
+void carry_out(ColaClient& client, const std::string& request, const ColaOptions& options,
+               const StopSignal& stop) {
+  constexpr std::uint32_t kBusy = 0xD;
+  const double deadline_s = steady_now_s() + options.spin_up_s;
+  while (true) {
+    const std::string answer = client.ask(request);
+    if (!is_error(answer) || error_code(answer) != kBusy) return;
+    if (steady_now_s() > deadline_s) refuse(request, answer);
+    stop.sleep(options.poll_s);
+  }
+}
+
 /// An LMS tells when its motor is up; a TiM does not know the question and scans by itself.
 bool measures(ColaClient& client) {
   const std::string answer = client.ask("sRN STlms");
@@ -90,9 +103,9 @@ void start(ColaClient& client, const ColaOptions& options, const StopSignal& sto
   if (is_logged_in) {
     // Distances of the first echo alone. Sensors that fix this refuse it; what they send is taken as it
     // comes.
-    client.ask("sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1");
-    client.ask("sMN LMCstartmeas");
-    client.ask("sMN Run");
+    carry_out(client, "sWN LMDscandatacfg 01 00 0 0 0 00 00 0 0 0 0 +1", options, stop);
+    carry_out(client, "sMN LMCstartmeas", options, stop);
+    carry_out(client, "sMN Run", options, stop);
   }
   must_run = false;
   wait_for_motor(client, is_logged_in, options, stop);
@@ -170,6 +183,7 @@ bool ColaClient::next_body(std::string& body, double deadline_s) {
     const double left_s = deadline_s - steady_now_s();
     if (left_s < 0.0) return false;
     const std::size_t count = link_.read(buffer, left_s, stop_);
+    has_heard_ = has_heard_ || count > 0;
     reader_.feed(ByteView(buffer).first(count));
     if (reader_.is_binary()) {
       throw DeviceRefusal(
@@ -193,7 +207,9 @@ std::string ColaClient::ask(const std::string& request) {
     const bool is_answer = kind == "sAN" || kind == "sRA" || kind == "sWA" || kind == "sEA";
     if (is_answer && answer.next() == name) return body;
   }
-  throw SensorFault(SensorFault::Kind::kTimeout, "no answer to " + request);
+  const char* const hint =
+      has_heard_ ? "" : "; does it speak CoLa A here, or is the other port (2111, 2112) meant?";
+  throw SensorFault(SensorFault::Kind::kTimeout, "no answer to " + request + hint);
 }
 
 bool ColaClient::next_scan(std::string& body, double timeout_s) {

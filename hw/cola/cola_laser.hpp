@@ -45,6 +45,7 @@ class ColaClient {
   double reply_s_;
   const StopSignal& stop_;
   ColaReader reader_;
+  bool has_heard_ = false;  // anything from the other end
 };
 
 /// A SICK LMS1xx or TiM in the network.

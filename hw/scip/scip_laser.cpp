@@ -19,11 +19,21 @@ constexpr double kLeave_s = 0.15;       // for an answer: whoever stops does not
 constexpr double kBaudPause_s = 0.15;   // that a sensor takes to change it
 constexpr std::size_t kHeadLines = 3;   // echo, status, time
 constexpr std::size_t kEchoChars = 13;  // of an MD command, without the number of scans, which counts down
-constexpr std::array<int, 6> kBauds = {19200, 57600, 115200, 250000, 500000, 750000};
+constexpr std::array<int, 7> kBauds = {19200, 38400, 57600, 115200, 250000, 500000, 750000};
+constexpr const char* kAbnormal = "0L";
 
 std::unique_ptr<ByteLink> open_link(const ScipOptions& options, const StopSignal& stop) {
   if (!options.path.empty()) return std::make_unique<SerialPort>(options.path);
   return std::make_unique<TcpLink>(options.host, options.port, options.connect_s, stop);
+}
+
+/// A port that cannot do this baud has no sensor at it.
+bool may_be_at(ScipClient& client, int baud) {
+  try {
+    return client.synchronise_at(baud);
+  } catch (const UnsupportedBaud&) {
+    return false;
+  }
 }
 
 /// Finds the baud of a serial sensor, and gives it; a network has none.
@@ -31,10 +41,15 @@ int find_sensor(const ScipOptions& options, ScipClient& client) {
   if (client.synchronise_at(options.baud)) return options.baud;
   for (const int baud : kBauds) {
     const bool is_new = !options.path.empty() && baud != options.baud;
-    if (is_new && client.synchronise_at(baud)) return baud;
+    if (is_new && may_be_at(client, baud)) return baud;
   }
-  throw SensorFault(SensorFault::Kind::kTimeout,
-                    options.name() + ": no SCIP sensor answers; is it on, and is this its port?");
+  if (client.last_status().empty()) {
+    throw SensorFault(SensorFault::Kind::kTimeout,
+                      options.name() + ": no SCIP sensor answers; is it on, and is this its port?");
+  }
+  throw SensorFault(SensorFault::Kind::kProtocol,
+                    options.name() + ": the sensor answers QT with status " + client.last_status() +
+                        (client.last_status() == kAbnormal ? " (abnormal), also after a reset" : ""));
 }
 
 ScipParameters read_parameters(const ScipOptions& options, ScipClient& client) {
@@ -155,9 +170,11 @@ std::vector<std::string> ScipClient::ask(const std::string& command) {
 bool ScipClient::quieten() {
   const std::vector<std::string> reply = ask("QT");
   const std::string status = scip_status(reply);
+  if (!status.empty()) last_status_ = status;
   // SCIP 1.1 has one character without a sum; 0E comes while the clock is being set.
   if (reply.size() > 1 && reply[1] == "E") ask("SCIP2.0");
   if (status == "0E") ask("TM2");
+  if (status == kAbnormal) ask("RS");
   return status == "00";
 }
 
@@ -181,6 +198,9 @@ bool ScipClient::synchronise_at(int baud) {
 }
 
 void ScipClient::change_baud(int baud, int wanted_baud) {
+  // What the port cannot do shows before the sensor is asked to.
+  link_.set_baud(wanted_baud);
+  link_.set_baud(baud);
   std::array<char, 16> command{};
   std::snprintf(command.data(), command.size(), "SS%06d", wanted_baud);
   if (scip_status(ask(command.data())) != "00") return;

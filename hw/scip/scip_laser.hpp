@@ -61,6 +61,9 @@ class ScipClient {
 
   void send(const std::string& command);
 
+  /// Of the last answer to QT that had one; empty before.
+  const std::string& last_status() const { return last_status_; }
+
  private:
   bool quieten();
 
@@ -68,6 +71,7 @@ class ScipClient {
   double reply_s_;
   const StopSignal& stop_;
   ScipReader reader_;
+  std::string last_status_;
   double read_s_ = 0.0;  // when the last message was whole
   double sent_s_ = 0.0;
 };

@@ -7,14 +7,21 @@
 
 #include "hw/serial/attempts.hpp"
 #include "hw/serial/scan_queue.hpp"
+#include "hw/serial/steady_clock.hpp"
 
 namespace scanbed::hw {
+namespace {
+
+constexpr double kOldestScan_s = 1.0;  // what a device may send first is no older
+
+}  // namespace
 
 struct RecoveringLaser::Impl {
   Impl(std::string given_name, const RecoveryOptions& given, Attempt given_attempt);
   ~Impl();
 
   void work();
+  void give(LaserScan& scan);
   bool may_go_on(const SensorFault& fault);
 
   const std::string name;
@@ -23,6 +30,8 @@ struct RecoveringLaser::Impl {
   ScanGeometry geometry;
   StopSignal stop;
   ScanQueue queue;
+  // A first scan may have begun before this did, and its time must not be negative: recordings have none.
+  const double start_s = steady_now_s() - kOldestScan_s;
   int num_failures = 0;  // of the worker alone
 
   std::mutex mutex;
@@ -44,6 +53,11 @@ RecoveringLaser::Impl::~Impl() {
   worker.join();
 }
 
+void RecoveringLaser::Impl::give(LaserScan& scan) {
+  scan.time_s -= start_s;
+  queue.push(scan);
+}
+
 bool RecoveringLaser::Impl::may_go_on(const SensorFault& fault) {
   {
     const std::lock_guard lock(mutex);
@@ -55,7 +69,7 @@ bool RecoveringLaser::Impl::may_go_on(const SensorFault& fault) {
 void RecoveringLaser::Impl::work() {
   const Attempts attempts{.device = name,
                           .pause_s = options.pause_s,
-                          .attempt = [this] { attempt([this](LaserScan& scan) { queue.push(scan); }, stop); },
+                          .attempt = [this] { attempt([this](LaserScan& scan) { give(scan); }, stop); },
                           .may_go_on = [this](const SensorFault& fault) { return may_go_on(fault); }};
   if (const auto reason = keep_trying(attempts, stop)) queue.fail(reason);
 }

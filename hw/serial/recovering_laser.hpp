@@ -20,7 +20,7 @@ struct RecoveryOptions {
 /// Attempts, in a thread of its own, to stream from a device, again and again.
 class RecoveringLaser final : public RangeSensor {
  public:
-  /// Hands on a scan; its index is set here.
+  /// Hands on a scan whose time is of steady_now_s(); its index is set here.
   using Give = std::function<void(LaserScan&)>;
   /// Opens the device and streams until something fails, which it throws: DeviceRefusal ends all attempts,
   /// SensorFault leads to another one. Leaves with Stopped when the signal is given.
@@ -33,6 +33,7 @@ class RecoveringLaser final : public RangeSensor {
   /// Of the scan that next() gave last; of an LMS 200 before that, since the device has not told its own yet.
   const ScanGeometry& geometry() const override;
 
+  /// Times are seconds since a second before construction, so that none is negative.
   /// @throws SensorFault kTimeout where no scan comes in time; of another kind where the device refuses, or
   ///         the first attempts failed.
   bool next(LaserScan& scan, Seconds timeout) override;

@@ -8,6 +8,8 @@
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -52,11 +54,20 @@ FileDescriptor open_terminal(const std::string& path) {
   return fd;
 }
 
+bool is_pseudo_terminal(int fd) {
+  constexpr unsigned kFirstMajor = 136;  // of UNIX98 slaves, by Linux' list of devices
+  constexpr unsigned kLastMajor = 143;
+  struct stat status {};
+  if (::fstat(fd, &status) != 0) return false;
+  return major(status.st_rdev) >= kFirstMajor && major(status.st_rdev) <= kLastMajor;
+}
+
 FileDescriptor open_port(const std::string& path) {
   FileDescriptor fd = open_terminal(path);
-  // TIOCEXCL keeps other users out, the lock also a second scanbed of the superuser.
+  // TIOCEXCL keeps other users out, the lock also a second scanbed of the superuser. On a pseudo-terminal the
+  // mark would outlive who is killed, as its other end stays open.
   if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) throw link_fault(path + ": " + advice(errno, path));
-  ::ioctl(fd.get(), TIOCEXCL);
+  if (!is_pseudo_terminal(fd.get())) ::ioctl(fd.get(), TIOCEXCL);
   return fd;
 }
 

@@ -29,7 +29,7 @@ EmulatorOptions validated(EmulatorOptions options) {
 
 }  // namespace
 
-EmulatedLms::EmulatedLms(const EmulatorOptions& options, ScanSource source, ScanFeed::Observer observer)
+EmulatedLms::EmulatedLms(const EmulatorOptions& options, ScanSupply source, ScanFeed::Observer observer)
     : options_(validated(options)),
       feed_(std::move(source), std::move(observer)),
       chance_(options.seed),

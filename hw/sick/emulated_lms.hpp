@@ -32,7 +32,7 @@ struct EmulatorCounts {
 class EmulatedLms {
  public:
   /// @throws InputError where the options do not validate.
-  EmulatedLms(const EmulatorOptions& options, ScanSource source, ScanFeed::Observer observer);
+  EmulatedLms(const EmulatorOptions& options, ScanSupply source, ScanFeed::Observer observer);
 
   /// Hears what a host sent. At another baud than its own it hears nothing.
   void receive(ByteView bytes, int host_baud, double now_s);

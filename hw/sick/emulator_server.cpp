@@ -16,7 +16,7 @@ constexpr double kLongestSleep_s = 0.1;
 
 }  // namespace
 
-EmulatorServer::EmulatorServer(const EmulatorOptions& options, ScanSource source, ScanFeed::Observer observer,
+EmulatorServer::EmulatorServer(const EmulatorOptions& options, ScanSupply source, ScanFeed::Observer observer,
                                std::filesystem::path link)
     : options_(options),
       link_(std::move(link)),

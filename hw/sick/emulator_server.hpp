@@ -15,7 +15,7 @@ class EmulatorServer {
  public:
   /// @param link  name for the port; empty: only port() names it.
   /// @throws InputError where the options do not validate; what PseudoTerminal throws for the link.
-  EmulatorServer(const EmulatorOptions& options, ScanSource source, ScanFeed::Observer observer,
+  EmulatorServer(const EmulatorOptions& options, ScanSupply source, ScanFeed::Observer observer,
                  std::filesystem::path link);
 
   /// What a host opens: the link where there is one.

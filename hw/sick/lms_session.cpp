@@ -182,8 +182,15 @@ void end_stream(ByteLink& port, int baud, double answer_s) noexcept {
     const StopSignal not_given;
     LmsLink link(port, {.ack_s = answer_s, .reply_s = answer_s}, not_given);
     const LmsLink::Ask twice{.num_tries = 2};
-    link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, twice);
-    if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, twice);
+    bool is_quiet = true;
+    try {
+      link.ask<ModeReply>(SetModeCommand{LmsMode::kOnRequest}, twice);
+    } catch (const SensorFault&) {
+      is_quiet = false;
+    }
+    // Also to a sensor that is slow to answer: it may hear it yet.
+    const LmsLink::Ask briefly{.num_tries = 1, .first_sign_s = answer_s / 2, .reply_s = answer_s / 2};
+    if (baud != 0) link.ask<ModeReply>(SetBaudCommand{baud}, is_quiet ? twice : briefly);
   } catch (const Stopped&) {
     return;
   } catch (const std::exception&) {

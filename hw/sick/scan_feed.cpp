@@ -12,7 +12,7 @@ constexpr RangeSensor::Seconds kPatience{1.0};
 
 }  // namespace
 
-ScanFeed::ScanFeed(ScanSource source, Observer observer)
+ScanFeed::ScanFeed(ScanSupply source, Observer observer)
     : source_(std::move(source)), observer_(std::move(observer)) {}
 
 void ScanFeed::restart(const LmsStreamSettings& settings, const LmsWordFormat& format) {

@@ -15,7 +15,7 @@ namespace scanbed::hw {
 
 /// Makes the sensor whose scans an emulated LMS hands on, for what its host configured. A variant of 180
 /// degrees at 0.25 is asked for where the host wants turns of the mirror one by one.
-using ScanSource = std::function<std::unique_ptr<RangeSensor>(const LmsStreamSettings&)>;
+using ScanSupply = std::function<std::unique_ptr<RangeSensor>(const LmsStreamSettings&)>;
 
 /// A scan on its way to the wire.
 struct SentScan {
@@ -33,7 +33,7 @@ class ScanFeed {
   using Observer = std::function<void(const SentScan&)>;
 
   /// @param observer  is told of each scan before it is sent; may be empty.
-  ScanFeed(ScanSource source, Observer observer);
+  ScanFeed(ScanSupply source, Observer observer);
 
   /// Makes a new sensor of the source.
   /// @throws what the source throws.
@@ -51,7 +51,7 @@ class ScanFeed {
  private:
   void take_scan();
 
-  ScanSource source_;
+  ScanSupply source_;
   Observer observer_;
   LmsStreamSettings settings_;
   LmsWordFormat format_;

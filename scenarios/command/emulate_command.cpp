@@ -61,6 +61,7 @@ EmulateCommand to_emulate(const EmulateTexts& texts) {
 ExitCode execute(const EmulateCommand& command) {
   const Scenario scenario = open_scenario(command.scenario, command.settings, command.seed);
   hw::EmulatorOptions options = emulator_options(scenario);
+  if (const auto difference = unlike_an_lms(scenario)) log_warning(*difference);
   options.address = command.address;
   options.power_on_baud = command.baud;
   options.is_paced = !command.is_unpaced;

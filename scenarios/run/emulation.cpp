@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenarios/run/emulation.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -13,19 +16,30 @@ int rounded(double value) {
   return static_cast<int>(std::lround(value));
 }
 
+hw::LmsVariant variant_of(const Scenario& scenario) {
+  return {rounded(degrees(scenario.lms.fov_rad)), rounded(100.0 * degrees(scenario.lms.step_rad))};
+}
+
 }  // namespace
+
+std::optional<std::string> unlike_an_lms(const Scenario& scenario) {
+  if (variant_of(scenario).is_offered()) return std::nullopt;
+  const hw::LmsVariant begins = hw::EmulatorOptions{}.variant;
+  return fmt::format(
+      "no LMS 2xx sees {:.4g} degrees in steps of {:.4g}; the emulated one begins with {} and {}",
+      degrees(scenario.lms.fov_rad), degrees(scenario.lms.step_rad), begins.fov_deg,
+      begins.resolution_cdeg / 100.0);
+}
 
 hw::EmulatorOptions emulator_options(const Scenario& scenario) {
   hw::EmulatorOptions options;
-  const hw::LmsVariant variant{rounded(degrees(scenario.lms.fov_rad)),
-                               rounded(100.0 * degrees(scenario.lms.step_rad))};
-  if (variant.is_offered()) options.variant = variant;
+  if (variant_of(scenario).is_offered()) options.variant = variant_of(scenario);
   options.configuration.set_unit(scenario.lms.unit);
   options.seed = scenario.seed;
   return options;
 }
 
-hw::ScanSource scenario_scans(const Scenario& scenario, sim::Backend backend) {
+hw::ScanSupply scenario_scans(const Scenario& scenario, sim::Backend backend) {
   const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-9; };
   return [scenario, backend, is_near](const hw::LmsStreamSettings& settings) -> std::unique_ptr<RangeSensor> {
     sim::SimulationOptions options{
@@ -36,6 +50,9 @@ hw::ScanSource scenario_scans(const Scenario& scenario, sim::Backend backend) {
     if (!is_near(options.lms.fov_rad, fov_rad)) options.lms.fov_rad = fov_rad;
     if (!is_near(options.lms.step_rad, step_rad)) options.lms.step_rad = step_rad;
     options.lms.unit = settings.unit;
+    // Finer steps take more turns; the scenario's own scans may come faster than those can.
+    options.lms.scan_period_s =
+        std::max(options.lms.scan_period_s, options.lms.num_rotations() * options.lms.rotation_s);
     return std::make_unique<sim::SimulatedLms>(scenario.world, options);
   };
 }

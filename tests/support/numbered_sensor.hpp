@@ -54,7 +54,7 @@ class NumberedSensor final : public RangeSensor {
   ScanGeometry geometry_;
 };
 
-inline hw::ScanSource numbered_source() {
+inline hw::ScanSupply numbered_source() {
   const auto next_number = std::make_shared<std::int64_t>(0);
   return [next_number](const hw::LmsStreamSettings& settings) {
     return std::make_unique<NumberedSensor>(settings, next_number);

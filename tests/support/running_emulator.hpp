@@ -13,7 +13,7 @@ namespace scanbed::tests {
 /// An emulated LMS that a thread serves until this goes.
 class RunningEmulator {
  public:
-  explicit RunningEmulator(const hw::EmulatorOptions& options, hw::ScanSource source = numbered_source(),
+  explicit RunningEmulator(const hw::EmulatorOptions& options, hw::ScanSupply source = numbered_source(),
                            hw::ScanFeed::Observer observer = {}, const std::filesystem::path& link = {})
       : server_(options, std::move(source), watched(std::move(observer)), link),
         thread_([this] { server_.run(stop_); }) {}

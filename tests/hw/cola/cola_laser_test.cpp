@@ -65,11 +65,13 @@ TEST(ColaLaserTest, TimesAreThoseOfTheMeasurement) {
   RunningDevice running(sensor);
   const double before_s = steady_now_s();
   const auto laser = open_cola(network(running.port()));
+  // Times begin one second before the laser was opened.
+  constexpr double kOpened_s = 1.0;
   LaserScan scan;
-  double last_s = before_s - 0.004;
+  double last_s = kOpened_s - 0.004;
   for (int i = 0; i < 50; ++i) {
     ASSERT_TRUE(laser->next(scan, kPatience));
-    EXPECT_LE(scan.time_s, steady_now_s() - 0.004);
+    EXPECT_LE(scan.time_s, steady_now_s() - before_s + kOpened_s - 0.004);
     EXPECT_GE(scan.time_s, last_s);
     last_s = scan.time_s;
   }
@@ -166,7 +168,8 @@ TEST(ColaLaserTest, LogsOutAlsoWhereItGivesUp) {
 }
 
 TEST(ColaLaserTest, AsksABusySensorAgain) {
-  for (const char* request : {"sMN SetAccessMode", "sRN STlms", "sEN LMDscandata 1"}) {
+  for (const char* request : {"sMN SetAccessMode", "sWN LMDscandatacfg", "sMN LMCstartmeas", "sMN Run",
+                              "sRN STlms", "sEN LMDscandata 1"}) {
     WideSensor source;
     EmulatedCola emulated({.is_paced = false}, source);
     RefusingCola sensor(emulated, request, "sFA D", 2);
@@ -174,6 +177,25 @@ TEST(ColaLaserTest, AsksABusySensorAgain) {
     const auto laser = open_cola(network(running.port()));
     expect_true_scans(*laser, 2, 541);
     EXPECT_EQ(sensor.num_refused, 2) << request;
+  }
+}
+
+// As one that speaks CoLa B does with what it takes for noise.
+TEST(ColaLaserTest, SaysWhatMayBeWrongWhereNothingIsAnswered) {
+  WideSensor source;
+  EmulatedCola emulated({}, source);
+  RefusingCola sensor(emulated, "s", "", 1000);
+  RunningDevice running(sensor);
+  ColaOptions options = network(running.port());
+  options.reply_s = 0.1;
+  options.recovery.num_first_attempts = 1;
+  const auto laser = open_cola(options);
+  LaserScan scan;
+  try {
+    laser->next(scan, kPatience);
+    ADD_FAILURE();
+  } catch (const SensorFault& fault) {
+    EXPECT_NE(std::string(fault.what()).find("does it speak CoLa A here"), std::string::npos) << fault.what();
   }
 }
 

@@ -317,6 +317,80 @@ TEST(ScipLaserTest, TakesASerialSensorToTheBaudThatIsAskedForWhereItCan) {
   }
 }
 
+/// A sensor in an abnormal state, until it is reset if that helps.
+class AbnormalScip final : public ByteDevice {
+ public:
+  AbnormalScip(ByteDevice& sensor, bool reset_helps) : sensor_(sensor), reset_helps_(reset_helps) {}
+
+  void receive(ByteView bytes, double now_s) override {
+    const std::string text(bytes.begin(), bytes.end());
+    num_resets += text.starts_with("RS") ? 1 : 0;
+    if (num_resets > 0 && reset_helps_) return sensor_.receive(bytes, now_s);
+    const std::string status = text.starts_with("RS") ? "00" : "0L";
+    answer_ = text + status + scip_sum(status) + "\n\n";
+  }
+  void run(double now_s, Bytes& out) override {
+    out.insert(out.end(), answer_.begin(), answer_.end());
+    answer_.clear();
+    sensor_.run(now_s, out);
+  }
+  double next_event_s() const override { return sensor_.next_event_s(); }
+  void hang_up() override { sensor_.hang_up(); }
+
+  std::atomic<int> num_resets = 0;
+
+ private:
+  ByteDevice& sensor_;
+  bool reset_helps_;
+  std::string answer_;
+};
+
+TEST(ScipLaserTest, ResetsASensorInAnAbnormalState) {
+  for (const bool reset_helps : {true, false}) {
+    WideSensor source;
+    EmulatedScip emulated({.is_paced = false}, source);
+    AbnormalScip sensor(emulated, reset_helps);
+    RunningDevice running(sensor);
+    ScipOptions options = network(running.port());
+    options.recovery.num_first_attempts = 1;
+    const auto laser = open_scip(options);
+    if (reset_helps) {
+      expect_true_scans(*laser, 2, 1081);
+      continue;
+    }
+    LaserScan scan;
+    try {
+      laser->next(scan, kPatience);
+      ADD_FAILURE();
+    } catch (const SensorFault& fault) {
+      EXPECT_NE(std::string(fault.what()).find("QT with status 0L (abnormal)"), std::string::npos)
+          << fault.what();
+    }
+  }
+}
+
+/// A port as most machines have it.
+class PlainLink final : public ByteLink {
+ public:
+  std::size_t read(std::span<std::uint8_t> /*buffer*/, double /*timeout_s*/, const StopSignal&) override {
+    return 0;
+  }
+  void write(ByteView /*bytes*/, const StopSignal&) override { ++num_requests; }
+  void flush_input() override {}
+  void set_baud(int baud) override {
+    if (baud > 115200) throw UnsupportedBaud("the port cannot do this baud");
+  }
+  int num_requests = 0;
+};
+
+TEST(ScipClientTest, AsksForNoBaudThatThePortCannotDo) {
+  PlainLink link;
+  StopSignal stop;
+  ScipClient client(link, 0.01, stop);
+  EXPECT_THROW(client.change_baud(115200, 250000), UnsupportedBaud);
+  EXPECT_EQ(link.num_requests, 0);
+}
+
 TEST(ScipScansTest, TellsDamageFromFaults) {
   ScipScans scans(two_steps());
   LaserScan scan;

@@ -43,7 +43,8 @@ TEST(SerialPortTest, AClosedPortIsFree) {
 }
 
 // The superuser may open a port that is marked as exclusive, others may not: so the mark itself is looked at.
-TEST(SerialPortTest, LeavesNoMarkOnAPortThatOthersHoldOpen) {
+// Who is killed cannot take the mark away, and the other end keeps the port open.
+TEST(SerialPortTest, MarksNoPseudoTerminalAsItsOwn) {
   PseudoTerminal terminal({});
   const FileDescriptor other(::open(terminal.path().c_str(), O_RDWR | O_NOCTTY));
   ASSERT_TRUE(other.is_open());
@@ -54,7 +55,7 @@ TEST(SerialPortTest, LeavesNoMarkOnAPortThatOthersHoldOpen) {
   };
   {
     const SerialPort port(terminal.path());
-    EXPECT_TRUE(is_exclusive());
+    EXPECT_FALSE(is_exclusive());
   }
   EXPECT_FALSE(is_exclusive());
 }

@@ -26,6 +26,24 @@ TEST(EmulationTest, ComesUpAsTheScenariosSensor) {
   EXPECT_TRUE(emulator_options(scenario).configuration.is_centimetre());
 }
 
+TEST(EmulationTest, TellsOfASensorThatIsNoLms) {
+  Scenario scenario = hallway();
+  EXPECT_FALSE(unlike_an_lms(scenario));
+  scenario.lms.step_rad = radians(0.25);
+  EXPECT_EQ(unlike_an_lms(scenario),
+            "no LMS 2xx sees 180 degrees in steps of 0.25; the emulated one begins with 180 and 0.5");
+}
+
+// Scans that come as fast as a turn of the mirror, and a host that wants steps which take four.
+TEST(EmulationTest, GivesFinerStepsThanTheScenariosPeriodHasTimeFor) {
+  Scenario scenario = hallway();
+  scenario.lms.scan_period_s = 2.0 * scenario.lms.rotation_s;
+  const auto source = scenario_scans(scenario, sim::Backend::kPlanar);
+  LaserScan scan;
+  EXPECT_TRUE(source({{100, 25}, RangeUnit::kMillimetre})->next(scan, {}));
+  EXPECT_EQ(scan.num_beams(), 401);
+}
+
 TEST(EmulationTest, GivesWhatTheHostConfigures) {
   const auto source = scenario_scans(hallway(), sim::Backend::kPlanar);
   LaserScan scan;
