@@ -66,7 +66,7 @@ enum class LegScorer {
 /// In the order of the values.
 inline constexpr std::array<std::string_view, 2> kLegScorerWords = {"rules", "forest"};
 
-/// Legs. All but the first three belong to the rules.
+/// Legs. All from min_width_m on belong to the rules.
 struct LegOptions {
   bool enabled = true;
   LegScorer scorer = LegScorer::kRules;

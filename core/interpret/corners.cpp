@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxBeamsBetween = 4;  // echoes at a corner that neither piece took
 constexpr double kMinPiece_m = 0.10;
-constexpr double kMaxUnseen_m = 0.5;
+constexpr double kMaxUnseen_m = 1.0;
 
 // How far along its line a piece may go on between its end and a beam that saw it no more: where beams are
 // far apart, or graze it, a corner can be that far from its last echo.
@@ -36,8 +36,9 @@ std::optional<Eigen::Vector2d> meeting_point(const Line& a, const Line& b, const
   if (std::abs(sine) < std::sin(options.min_corner_rad)) return std::nullopt;
   const double share = cross(b.left_m - a.left_m, along_b_m) / cross(along_a_m, along_b_m);
   const Eigen::Vector2d corner_m = a.left_m + share * along_a_m;
-  const double unseen_a_m = unseen_m(a, a.right_m, geometry.bearing_rad(b.beams.first));
-  const double unseen_b_m = unseen_m(b, b.left_m, geometry.bearing_rad(a.beams.last));
+  // By one beam more than those that met the other wall: at a corner an echo may be taken for either's.
+  const double unseen_a_m = unseen_m(a, a.right_m, geometry.bearing_rad(b.beams.first + 1));
+  const double unseen_b_m = unseen_m(b, b.left_m, geometry.bearing_rad(a.beams.last - 1));
   if ((corner_m - a.right_m).norm() > options.corner_reach_m + unseen_a_m) return std::nullopt;
   if ((corner_m - b.left_m).norm() > options.corner_reach_m + unseen_b_m) return std::nullopt;
   return corner_m;

@@ -24,7 +24,8 @@ struct BeamTiming {
 };
 
 /// Where the beams of a scan point. Sensor frame S: x forward, y left, angles counter-clockwise from x (REP
-/// 103); beam 0 is the rightmost. The default is the LMS 200's 180 degrees at 0.5 degrees.
+/// 103); beam 0 is the rightmost where step_rad is positive. The default is the LMS 200's 180 degrees at 0.5
+/// degrees.
 struct ScanGeometry {
   int num_beams = 361;
   double first_rad = -kPi / 2;

@@ -81,6 +81,12 @@ CarmenLog::CarmenLog(std::unique_ptr<ByteStream> bytes, std::string name, const 
   options.validate();
   impl_->is_ahead = impl_->read_scan();
   if (impl_->is_ahead) return;
+  if (options.is_guess && impl_->left_out.text(options.only).empty()) {
+    throw InputError(
+        impl_->name +
+        ": is no recording that is known; known are CARMEN and Player logs, ROS 1 bags, MCAP and "
+        "JSON Lines");
+  }
   throw InputError(impl_->name + ": holds no scan of a CARMEN log" + impl_->left_out.text(options.only) +
                    " (" + std::to_string(impl_->counts.num_damaged_lines) + " damaged lines, " +
                    std::to_string(impl_->counts.num_other_lines) + " others)");

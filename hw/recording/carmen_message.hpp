@@ -15,6 +15,7 @@ struct CarmenLogOptions {
   /// Readings from here on mean "no return". Empty: from the LMS's codes on (reading_limit.hpp), but for
   /// messages whose own maximum range lies beyond these.
   std::optional<double> no_return_m;
+  bool is_guess = false;  ///< nothing says that it is a CARMEN log at all; for messages
 
   void validate() const;  ///< @throws InputError naming the first field that is not allowed
 };

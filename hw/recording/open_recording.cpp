@@ -95,7 +95,9 @@ std::unique_ptr<ScanReader> open_recording(std::unique_ptr<ByteStream> bytes, co
   switch (format.value_or(RecordingFormat::kCarmen)) {
     case RecordingFormat::kCarmen:
       return std::make_unique<CarmenLog>(
-          std::move(peeked), name, CarmenLogOptions{.only = options.only, .no_return_m = options.no_return_m},
+          std::move(peeked), name,
+          CarmenLogOptions{
+              .only = options.only, .no_return_m = options.no_return_m, .is_guess = !format.has_value()},
           std::move(report));
     case RecordingFormat::kPlayer:
       source = read_player_log(std::move(peeked), name, {.only = options.only}, std::move(report));

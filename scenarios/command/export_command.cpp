@@ -42,7 +42,10 @@ Usage export_usage() {
       texts->seed.flag(),
       texts->settings.flag(),
   };
-  usage.footer = R"(Example:
+  usage.footer =
+      R"(What moves stands at the origin: robot and walkers as mocap bodies, towed cylinders as free ones, for
+who uses the model to put in their places.
+Example:
   scanbed export static_hallway --mjcf hall.xml)";
   usage.command = [texts] {
     check_files(std::array{FlagFile{"--mjcf", to_path(texts->mjcf)}}, scenario_files(texts->scenarios));

@@ -36,9 +36,10 @@ bool is_same_file(const FlagFile& a, const FlagFile& b) {
 
 std::int64_t to_count(std::string_view flag, const std::string& text, std::int64_t least,
                       std::optional<std::int64_t> greatest) {
-  const std::optional<std::int64_t> count = parse_count(text);
+  const bool is_negative = text.starts_with('-') && parse_count(text.substr(1)).has_value();
+  const std::optional<std::int64_t> count = is_negative ? -1 : parse_count(text);
   if (!count) throw InputError(fmt::format("{}: expected a whole number, found {}", flag, quote(text)));
-  require(*count >= least && (!greatest || *count <= *greatest), flag, static_cast<double>(*count),
+  require(*count >= least && (!greatest || *count <= *greatest), flag, parse_number(text).value_or(0.0),
           greatest ? fmt::format("[{}, {}]", least, *greatest) : fmt::format(">= {}", least));
   return *count;
 }

@@ -23,6 +23,22 @@ std::string plural(std::int64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+void tell(std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) log_warning(warning);
+  warnings.clear();
+}
+
+// What is unknown to a scenario may be an option of the detector that is misspelt.
+void explain(const InputError& error, std::span<const Setting> settings) {
+  const std::string_view message = error.what();
+  for (const Setting& setting : settings) {
+    const std::string flag = fmt::format("--set {}={}", setting.path, setting.value);
+    const std::string hint = near_detector_setting_hint(setting.path);
+    if (hint.empty() || !message.starts_with(flag + ": unknown key")) continue;
+    throw InputError(fmt::format("{}: neither of a scenario nor an option of the detector{}", flag, hint));
+  }
+}
+
 }  // namespace
 
 Scenario open_scenario(const std::string& name_or_path, std::span<const Setting> settings,
@@ -34,7 +50,13 @@ Scenario open_scenario(const std::string& name_or_path, std::span<const Setting>
   std::vector<Setting> all(settings.begin(), settings.end());
   // Before it is loaded, since bodies and whole worlds are drawn from it.
   if (seed) all.push_back({.path = "seed", .value = std::to_string(*seed)});
-  return load_scenario(find_scenario(name_or_path), all);
+  const std::filesystem::path file = find_scenario(name_or_path);
+  try {
+    return load_scenario(file, all);
+  } catch (const InputError& error) {
+    explain(error, settings);
+    throw;
+  }
 }
 
 std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backend backend,
@@ -48,16 +70,27 @@ std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backe
 }
 
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
-  const auto report = [num_warnings = 0](const std::string& message) mutable {
-    ++num_warnings;
-    if (num_warnings <= kMostWarnings) log_warning(message);
-    if (num_warnings == kMostWarnings) log_warning("further damaged lines are only counted");
+  // Held back until there is a scan: of what is no recording at all, one message says more than twenty.
+  struct Warnings {
+    int num = 0;
+    bool is_open = false;
+    std::vector<std::string> held;
+  };
+  const auto warnings = std::make_shared<Warnings>();
+  const auto report = [warnings](const std::string& message) {
+    ++warnings->num;
+    if (warnings->num > kMostWarnings) return;
+    warnings->held.push_back(message);
+    if (warnings->num == kMostWarnings) warnings->held.emplace_back("further damaged lines are only counted");
+    if (warnings->is_open) tell(warnings->held);
   };
   const hw::ReplayOptions& replay = spec.replay;
   replay.validate();
   hw::RecordingOptions options = spec.log;
   options.is_interrupted = is_interrupted;
   auto reader = hw::open_recording(spec.target, options, report);
+  warnings->is_open = true;
+  tell(warnings->held);
   if (!replay.speed && replay.from_s == 0.0 && std::isinf(replay.to_s)) return reader;
   return std::make_unique<hw::PacedReplay>(std::move(reader), replay);
 }

@@ -3,6 +3,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
+#include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/command/usage.hpp"
 #include "scenarios/run/output.hpp"
@@ -15,6 +16,8 @@ ExitCode execute(const OptionsCommand& command) {
     throw InputError("--set " + setting.path + ": no such option" + near_detector_setting_hint(setting.path) +
                      "; 'scanbed options' lists them");
   }
+  open_detector(command.detector, command.settings,
+                {});  // warns of what is read by nothing, and so not printed
   write_whole(std::nullopt, options_yaml(command.detector, command.settings));
   return kExitFine;
 }

@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
+#include <string_view>
+#include <system_error>
 
 #include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
@@ -58,8 +61,14 @@ void add_tasks(const RunCommand& command, const std::string& name, std::span<con
 
 std::vector<Task> tasks_of(const RunCommand& command, std::span<const Setting> settings) {
   std::vector<Task> tasks;
+  // A run that is done twice is no further evidence; patterns overlap.
+  std::set<std::filesystem::path> files;
   for (const std::string& pattern : command.scenarios) {
-    for (const std::string& name : names_that_fit(pattern)) add_tasks(command, name, settings, tasks);
+    for (const std::string& name : names_that_fit(pattern)) {
+      std::error_code error;
+      const bool is_new = files.insert(std::filesystem::weakly_canonical(find_scenario(name), error)).second;
+      if (is_new) add_tasks(command, name, settings, tasks);
+    }
   }
   return tasks;
 }
@@ -105,6 +114,19 @@ void check_laser(const RunCommand& command) {
   if (command.out) refuse("--out: pictures are");
   if (command.seeds) refuse("--seed: seeds are");
   if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
+}
+
+// What a recording shows has been; a scenario says what it is held to, no more.
+void check_settings(const RunCommand& command, std::span<const Setting> settings) {
+  if (command.laser.kind != LaserKind::kLog) return;
+  constexpr std::array<std::string_view, 6> kOfTheWorld = {"sensor", "world",    "actors",
+                                                           "robot",  "generate", "seed"};
+  for (const Setting& setting : settings) {
+    const std::string_view section = std::string_view(setting.path).substr(0, setting.path.find('.'));
+    if (std::find(kOfTheWorld.begin(), kOfTheWorld.end(), section) == kOfTheWorld.end()) continue;
+    throw InputError(fmt::format("--set {}: worlds are only for the simulated laser; found --laser {}",
+                                 setting.path, command.laser.text));
+  }
 }
 
 bool has_pictures(const Task& task) {
@@ -271,6 +293,7 @@ ExitCode execute(const RunCommand& command) {
   const SortedSettings settings = sort_settings(command.settings);
   const AnalysisOptions options =
       open_detector(command.detector, settings.detector, {.tracks = command.track, .interprets = false});
+  check_settings(command, settings.scenario);
   std::vector<Task> tasks = tasks_of(command, settings.scenario);
   check_tasks(command, tasks);
   Reporter reporter(command, static_cast<int>(tasks.size()));

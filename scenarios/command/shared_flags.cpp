@@ -105,7 +105,9 @@ Flag one_scenario(std::vector<std::string>& texts) {
 }
 
 std::string table_two_text() {
-  std::string text = "For --set and --config: what 'scanbed options' prints, or the paper's Table II:\n";
+  std::string text =
+      "For --set and --config: what 'scanbed options' prints, or the paper's Table II\n"
+      "(with the defaults of preset paper; some are read by that alone):\n";
   for (const TableTwoEntry& entry : table_two()) {
     const std::string unit = entry.unit.empty() ? "" : fmt::format(" {}", entry.unit);
     text += fmt::format("  {:<16} {} (default {}{})\n", entry.name, entry.meaning, entry.default_value, unit);

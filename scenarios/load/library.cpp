@@ -78,6 +78,11 @@ fs::path find_scenario(std::string_view name_or_path) {
   const fs::path folder = library_folder();
   const std::vector<std::string> names = library_names(folder);
   if (!std::binary_search(names.begin(), names.end(), name_or_path)) {
+    std::error_code error;
+    if (fs::exists(name_or_path, error)) {
+      throw InputError(fmt::format("unknown scenario {}; a file's name ends in .yaml or .yml, or write ./{}",
+                                   quote(name_or_path), name_or_path));
+    }
     throw InputError(fmt::format("unknown scenario {}{}; 'scanbed list' shows all", quote(name_or_path),
                                  name_hint(name_or_path, names, "scenarios")));
   }

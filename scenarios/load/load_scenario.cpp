@@ -41,24 +41,34 @@ Variables load_variables(const Value& value) {
   return variables;
 }
 
-std::vector<double> load_times(Table& table, std::string_view key, double duration_s) {
+/// How long a scenario is, and whether its file says so or who runs it.
+struct Duration {
+  double s = 0.0;
+  bool is_of_file = true;
+};
+
+// Pictures that a shorter duration of the command line leaves no time for are left out.
+std::vector<double> load_times(Table& table, std::string_view key, const Duration& duration) {
   std::vector<double> times_s;
   const std::optional<Value> value = table.take(key);
   if (!value) return times_s;
   for (const Value& item : value->items()) {
-    times_s.push_back(item.number({.least = 0.0, .greatest = duration_s}));
+    const double greatest_s = duration.is_of_file ? duration.s : kLongest_s;
+    times_s.push_back(item.number({.least = 0.0, .greatest = greatest_s}));
+    if (times_s.back() > duration.s) times_s.pop_back();
   }
   std::sort(times_s.begin(), times_s.end());
   return times_s;
 }
 
-void load_outputs(const Value& value, Scenario& scenario) {
+void load_outputs(const Value& value, bool is_duration_of_file, Scenario& scenario) {
   Table outputs(value);
   if (const auto section = outputs.take("pictures")) {
     Table pictures(*section);
-    scenario.pictures.top_s = load_times(pictures, "top", scenario.duration_s);
-    scenario.pictures.camera_s = load_times(pictures, "camera", scenario.duration_s);
-    scenario.pictures.laser_s = load_times(pictures, "laser", scenario.duration_s);
+    const Duration duration{scenario.duration_s, is_duration_of_file};
+    scenario.pictures.top_s = load_times(pictures, "top", duration);
+    scenario.pictures.camera_s = load_times(pictures, "camera", duration);
+    scenario.pictures.laser_s = load_times(pictures, "laser", duration);
     pictures.finish();
   }
   outputs.finish();
@@ -83,6 +93,7 @@ Scenario load_tree(const Value& root) {
   table.take("vars");                                                       // read before
   if (const auto include = table.take("include")) include_names(*include);  // resolved before
   load_header(table, scenario);
+  const bool is_duration_of_file = table.need("duration").node().place.line > 0;
   if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
   if (const auto generate = table.take("generate")) load_generated(*generate, scenario);
   if (const auto robot = table.take("robot")) load_robot(*robot, scenario.world.robot);
@@ -90,7 +101,7 @@ Scenario load_tree(const Value& root) {
   if (const auto actors = table.take("actors")) load_actors(*actors, scenario);
   if (const auto score = table.take("score")) load_score(*score, scenario);
   if (const auto expect = table.take("expect")) load_expect(*expect, scenario);
-  if (const auto outputs = table.take("outputs")) load_outputs(*outputs, scenario);
+  if (const auto outputs = table.take("outputs")) load_outputs(*outputs, is_duration_of_file, scenario);
   table.finish();
   return scenario;
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "core/geometry/angles.hpp"
+#include "core/scan/lms_word.hpp"
+#include "core/text/number_text.hpp"
 #include "scenarios/load/sections.hpp"
 #include "scenarios/load/sensor_effects.hpp"
 #include "scenarios/load/table.hpp"
@@ -68,6 +72,18 @@ void load_mount(Table& sensor, sim::Robot& robot) {
   robot.laser_roll_rad = radians(sensor.number("roll_deg", degrees(robot.laser_roll_rad), kTilt_deg));
 }
 
+// Farther than its words reach no sensor of them sees, whatever is asked for.
+void load_max_range(Table& sensor, sim::SensorOptions& lms) {
+  const auto value = sensor.take("max_range");
+  if (!value) return;
+  lms.max_range_m = value->number(kLength);
+  const double greatest_m = lms_max_range_m(lms.unit, lms.word_bits);
+  if (lms.max_range_m <= greatest_m) return;
+  value->refuse(fmt::format("{} m are more than this sensor's words can tell; allowed: up to {} m{}",
+                            number_text(lms.max_range_m), number_text(greatest_m),
+                            lms.unit == sim::RangeUnit::kMillimetre ? ", or unit: cm" : ""));
+}
+
 }  // namespace
 
 void load_sensor(const Value& value, Scenario& scenario) {
@@ -84,7 +100,7 @@ void load_sensor(const Value& value, Scenario& scenario) {
   }
   load_timing(sensor, lms);
   lms.min_range_m = sensor.number("min_range", lms.min_range_m, {.least = 0.0, .greatest = sim::kFarthest_m});
-  lms.max_range_m = sensor.number("max_range", lms.max_range_m, kLength);
+  load_max_range(sensor, lms);
   load_effects(sensor, lms);
   load_mount(sensor, scenario.world.robot);
   sensor.finish();

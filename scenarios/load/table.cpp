@@ -46,7 +46,18 @@ Value Table::need(std::string_view key) {
   needed_.emplace(key);
   if (const std::optional<Value> found = take(key)) return *found;
   note(key);
-  value_.refuse(fmt::format("missing key '{}'", key));
+  value_.refuse(fmt::format("missing key '{}'{}", key, misspelt(key)));
+}
+
+// Of the keys that nothing has asked for yet, one that may have been meant.
+std::string Table::misspelt(std::string_view key) const {
+  const std::vector<std::string> missing{std::string(key)};
+  const std::vector<NodeEntry>& entries = value_.node().entries;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (taken_[i] || key.size() < 3 || !nearest_name(entries[i].key, missing)) continue;
+    return fmt::format("; did you mean it by {} on line {}?", quote(entries[i].key), entries[i].place.line);
+  }
+  return {};
 }
 
 double Table::number(std::string_view key, double fallback, const Allowed& allowed) {

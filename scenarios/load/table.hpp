@@ -38,6 +38,7 @@ class Table {
 
  private:
   void note(std::string_view missing_key) const;
+  std::string misspelt(std::string_view key) const;
 
   Value value_;
   std::vector<bool> taken_;         // one flag for each entry

@@ -30,6 +30,19 @@ std::uint64_t read_hash(const hw::JsonValue& line) {
   return hash;
 }
 
+// Told by the line's head, as emulate writes it: most lines are of other scans, and long to read whole.
+bool is_of_another_scan(std::string_view line, std::uint64_t hash) {
+  constexpr std::string_view kKey = R"("hash":")";
+  constexpr std::size_t kMaxHead = 64;
+  constexpr std::size_t kNumDigits = 16;
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const std::size_t key_at = line.substr(0, kMaxHead).find(kKey);
+  if (!line.starts_with(R"({"scan":)") || key_at == std::string_view::npos) return false;
+  const std::string_view digits = line.substr(key_at + kKey.size(), kNumDigits);
+  const bool is_hash = digits.size() == kNumDigits && digits.find_first_not_of(kDigits) == digits.npos;
+  return is_hash && line.ends_with('}') && digits != fmt::format("{:016x}", hash);
+}
+
 }  // namespace
 
 std::uint64_t range_hash(std::span<const double> range_m) {
@@ -57,6 +70,9 @@ TruthWriter::~TruthWriter() {
 void TruthWriter::begin() {
   std::error_code error;
   if (std::filesystem::is_regular_file(path_, error)) std::filesystem::resize_file(path_, 0, error);
+  if (error) {
+    throw OutputFault(fmt::format("--truth {}: cannot be written: {}", path_.string(), error.message()));
+  }
   has_begun_ = true;
 }
 
@@ -82,10 +98,11 @@ TruthReader::TruthReader(const std::filesystem::path& path) : path_(path), file_
 }
 
 std::optional<std::string> TruthReader::next_line() {
-  file_.clear();
-  for (char c = 0; partial_.size() <= kMaxLine && file_.get(c);) {
+  std::streambuf& bytes = *file_.rdbuf();
+  constexpr int kEnd = std::char_traits<char>::eof();
+  for (int c = 0; partial_.size() <= kMaxLine && (c = bytes.sbumpc()) != kEnd;) {
     if (c == '\n') return std::exchange(partial_, {});
-    partial_.push_back(c);
+    partial_.push_back(static_cast<char>(c));
   }
   if (partial_.size() <= kMaxLine) return std::nullopt;
   throw InputError(fmt::format("--truth {}: holds a line longer than 16 MiB; allowed: what emulate wrote",
@@ -93,6 +110,7 @@ std::optional<std::string> TruthReader::next_line() {
 }
 
 bool TruthReader::take(const std::string& line, std::uint64_t hash, int num_beams) {
+  if (is_of_another_scan(line, hash)) return false;
   try {
     const hw::JsonValue json = hw::parse_json(line);
     if (read_hash(json) != hash) return false;

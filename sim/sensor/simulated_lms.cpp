@@ -136,7 +136,8 @@ struct SimulatedLms::Impl {
   std::int64_t next_scan = 0;
   WorldState state;
   std::optional<CollisionWatch> watch;  ///< only where something moves
-  std::optional<Pilot> pilot;           ///< only where legs are followed
+  double next_look_s = 0.0;
+  std::optional<Pilot> pilot;  ///< only where legs are followed
 };
 
 SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
@@ -165,9 +166,13 @@ SimulatedLms::Impl::Impl(World&& description, const SimulationOptions& given)
   returns.spot_returns.reserve(num_beams * options.lms.spot.num_rays);
 }
 
+// Looks in between too: from one scan to the next somebody may pass through a wall.
 void SimulatedLms::Impl::advance_to(double time_s) {
+  for (; watch && next_look_s < time_s; next_look_s += kBetweenLooks_s) {
+    engine->advance_to(next_look_s);
+    watch->look(engine->state());
+  }
   engine->advance_to(time_s);
-  if (watch) watch->look(engine->state());
 }
 
 void SimulatedLms::Impl::begin(double time_s) {

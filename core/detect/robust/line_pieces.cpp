@@ -154,17 +154,15 @@ void LineSplitter::append_pieces(Stretch surface, std::vector<LinePiece>& pieces
   }
   while (merge_once(first_piece, pieces)) {
   }
-  settle_cuts(std::span(pieces).subspan(first_piece));
 }
 
-// A cut was sought while the parts on its sides were not cut themselves: a niche farther on moves it. Once
-// more, then, between what stayed, for all at once: so it does not matter from which side they are read.
+// For all at once, so that it does not matter from which side they are read.
 void LineSplitter::settle_cuts(std::span<LinePiece> pieces) {
   const std::size_t num_cuts = pieces.empty() ? 0 : pieces.size() - 1;
   for (std::size_t i = 0; i < num_cuts; ++i) {
     const auto& [a, b] = std::tie(pieces[i], pieces[i + 1]);
     cuts_[i] = {a.places.last, a.chi2, b.chi2};
-    if (std::min(a.places.size(), b.places.size()) < kNumCuts) continue;
+    if (a.is_taken || b.is_taken || std::min(a.places.size(), b.places.size()) < kNumCuts) continue;
     const Stretch both{a.places.first, b.places.last};
     const RayLineSums::Cut cut = sums_->best_cut(both, a.places.last - kNumCuts / 2);
     if (cut.chi2() < a.chi2 + b.chi2) cuts_[i] = cut;

@@ -38,6 +38,10 @@ class LineSplitter {
   /// Appends the pieces of a surface that is split, in rising order.
   void append_pieces(Stretch surface, std::vector<LinePiece>& pieces);
 
+  /// Cuts were sought while the parts on their sides were not cut themselves: a niche farther on moves a
+  /// corner. Seeks each once more, between what of a surface's pieces no arc took.
+  void settle_cuts(std::span<LinePiece> pieces);
+
  private:
   /// Of the part that begins at a place: where it ends, and what the line through it leaves unexplained.
   struct Part {
@@ -53,7 +57,6 @@ class LineSplitter {
   double cost_of(Stretch places, double chi2) const;
   bool merge_once(std::size_t first_piece, std::vector<LinePiece>& pieces);
   bool compare_pairs(std::span<const LinePiece> pieces);
-  void settle_cuts(std::span<LinePiece> pieces);
 
   const Echoes* echoes_ = nullptr;
   const RayLineSums* sums_ = nullptr;

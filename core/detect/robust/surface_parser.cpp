@@ -38,6 +38,8 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
     const bool has_enough = arc.num_echoes() >= options.circle.min_points;
     report_arc(surfaced, arc, has_enough ? features.circles : features.doubtful_circles);
   }
+  // Only now: arcs are told by what lines leave of them, however they are cut.
+  for (const Explained& surface : surfaces_) line_splitter_.settle_cuts(pieces_of(surface));
   wall_lines_.begin(echoes, sums_, options);
   wall_lines_.append(pieces_, features.lines);
 }

@@ -67,7 +67,8 @@ TEST(CornersTest, MirroredScenesHaveMirroredCorners) {
 
 TEST(CornersTest, AJumpIsNoCorner) {
   std::vector<Line> lines = chain({{3, -2}, {3, 0}});
-  lines.push_back({.beams = {30, 60}, .left_m = {4.0, 0.0}, .right_m = {6.0, 0.5}});
+  lines[0].beams = {113, 180};
+  lines.push_back({.beams = {181, 189}, .left_m = {4.0, 0.0}, .right_m = {6.0, 0.5}});
   EXPECT_TRUE(corners_of(lines).objects.empty());
 }
 

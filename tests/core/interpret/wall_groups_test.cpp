@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/detect/feature_detector.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polar.hpp"
 #include "tests/support/ideal_scene.hpp"
 
 namespace scanbed {
@@ -90,7 +92,11 @@ TEST(WallGroupsTest, AShortPieceIsNoWall) {
 TEST(WallGroupsTest, ACurveIsNotOneWall) {
   for (const double radius_m : {3.0, 4.0, 5.0}) {
     testing::IdealScene hall;
-    hall.cylinder({0.0, 0.0}, radius_m);
+    constexpr int kNumEdges = 200;
+    for (int i = 0; i < kNumEdges; ++i) {
+      const double step_rad = kPi / kNumEdges;
+      hall.wall(polar(i * step_rad - kPi / 2, radius_m), polar((i + 1) * step_rad - kPi / 2, radius_m));
+    }
     const Found found = walls_in(hall);
     EXPECT_GT(found.features.lines.size(), 5u);
     for (const SceneObject& wall : found.walls) {

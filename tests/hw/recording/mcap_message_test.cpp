@@ -41,7 +41,7 @@ TEST(McapMessageTest, WithBeamsAScanIsWhatItWas) {
   EXPECT_EQ(after.scan.geometry.timing.num_rotations, 2);
   EXPECT_EQ(after.scan.source, "left");
   EXPECT_EQ(after.scan.X_OR->p_m, before.X_OR->p_m);
-  EXPECT_EQ(after.features->circles.size(), 1U);
+  EXPECT_EQ(after.features->circles.size(), 2U);
   EXPECT_EQ(after.truth->objects.size(), 1U);
 }
 

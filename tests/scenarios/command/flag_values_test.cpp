@@ -22,7 +22,8 @@ TEST(FlagValuesTest, ReadCountsTimesAndPaths) {
 TEST(FlagValuesTest, NameTheFlagAndTheTextThatDoesNotFit) {
   EXPECT_EQ(error_of([] { to_count("--limit", "many", 1); }),
             "--limit: expected a whole number, found 'many'");
-  EXPECT_EQ(error_of([] { to_count("--limit", "-1", 0); }), "--limit: expected a whole number, found '-1'");
+  EXPECT_EQ(error_of([] { to_count("--limit", "-1", 0); }),
+            "--limit: value -1 is out of range; allowed: >= 0");
   EXPECT_EQ(error_of([] { to_count("--limit", "0", 1); }), "--limit: value 0 is out of range; allowed: >= 1");
   EXPECT_EQ(error_of([] { to_time_s("--at", ""); }), "--at: expected seconds, found ''");
 }

@@ -57,11 +57,30 @@ TEST_F(RunTest, WarnsOfWhatTheScriptDrivesIntoEachOther) {
       << outcome.err;
 }
 
-TEST_F(RunTest, RunsOneScenarioAsOftenAsItIsNamed) {
+// Doing the same twice tells no more; patterns overlap.
+TEST_F(RunTest, RunsAScenarioOnceHoweverOftenItIsNamed) {
   const std::string file = scenario(kEasy);
-  const Outcome outcome = run_program({"run", file, (folder_ / "./s.yaml").string()});
+  const Outcome outcome = run_program({"run", file, (folder_ / "./s.yaml").string(), file});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 scenario, 2 runs"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out, run_program({"run", file}).out);
+}
+
+TEST_F(RunTest, TakesASetDurationThatLeavesNoTimeForPictures) {
+  const std::string file = scenario(kEasy + "outputs: {pictures: {top: [0, 1.9]}}\n");
+  EXPECT_EQ(run_program({"run", file, "--set", "duration=1.5"}).exit_code, 0);
+  const Outcome outcome =
+      run_program({"run", scenario(kEasy + "outputs: {pictures: {top: [1e3]}}\n", "t.yaml")});
+  EXPECT_EQ(outcome.exit_code, 2) << "the file itself has no time for it";
+}
+
+TEST_F(RunTest, WarnsOfARecordingOfAnotherScenario) {
+  const std::string log = (folder_ / "r.jsonl").string();
+  ASSERT_EQ(run_program({"run", scenario(kEasy), "--record", log}).exit_code, 0);
+  const Outcome same = run_program({"run", scenario(kEasy), "--laser", "log:" + log});
+  EXPECT_EQ(same.err.find("warning"), std::string::npos) << same.err;
+  EXPECT_EQ(same.out.find("seed"), std::string::npos) << same.out;
+  const Outcome other = run_program({"run", scenario(kHard, "t.yaml"), "--laser", "log:" + log});
+  EXPECT_NE(other.err.find("r.jsonl: was recorded in the scenario '"), std::string::npos) << other.err;
 }
 
 TEST_F(RunTest, EndsWithTheWorstOfSeveralScenarios) {
@@ -207,6 +226,14 @@ TEST_F(RunTest, RefusesBadInputInOneLine) {
   refused({"export", easy, "--mjcf", easy});
   refused({"run", easy, "--laser", "log:" + log, "--out", (folder_ / "pictures").string()});
   refused({"run", easy, "--laser", "log:" + log, "--backend", "spatial"});
+  refused({"run", easy, "--laser", "log:" + log, "--seed", "3"});
+  refused({"run", easy, "--laser", "log:" + log, "--set", "sensor.noise.sigma=0.03"});
+  refused({"detect", "--laser", "log:" + log, "--backend", "spatial"});
+  EXPECT_NE(refused({"run", easy, "--set", "surfac.min_gap_m=0.1"}).find("did you mean 'surface.min_gap_m'?"),
+            std::string::npos);
+  const std::string text = testing::write_file(folder_ / "notes.txt", std::string(100, '\n') + "hello\n\0\n");
+  EXPECT_NE(refused({"detect", "--laser", "log:" + text}).find("is no recording that is known"),
+            std::string::npos);
   refused({"run", easy, "--out", "-"});
   EXPECT_NE(
       refused({"run", easy, "--out", (folder_ / "pictures").string()}).find("no scenario asks for pictures"),

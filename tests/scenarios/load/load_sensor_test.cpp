@@ -87,6 +87,14 @@ TEST(LoadSensorTest, LetsSensorsWithoutInterlaceDifferFromTheirPreset) {
             "f:4:36: period: the link says already how often there are scans");
 }
 
+TEST(LoadSensorTest, SeesNoFartherThanItsWordsTell) {
+  EXPECT_EQ(parse_error("sensor: {max_range: 30}\n"),
+            "f:4:21: max_range: 30 m are more than this sensor's words can tell; allowed: up to 8.182 m, or "
+            "unit: cm");
+  EXPECT_EQ(parse("sensor: {max_range: 30, unit: cm}\n").lms.max_range_m, 30.0);
+  EXPECT_EQ(parse("sensor: {max_range: 5}\n").lms.max_range_m, 5.0);
+}
+
 TEST(LoadSensorTest, ScansNoFasterThanTheMirrorTurnsOrTheLinkCarries) {
   // A quarter of a degree takes four rotations of 1/75 s; 401 beams are 812 bytes of ten bits.
   const std::string fine = "resolution_deg: 0.25, fov_deg: 100";

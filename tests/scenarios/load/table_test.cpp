@@ -46,6 +46,13 @@ TEST(TableTest, SaysWhereAMissingKeyBelongs) {
   EXPECT_EQ(error_of([&] { table.need("at"); }), "f:2:3: x: missing key 'at'");
 }
 
+TEST(TableTest, NamesTheKeyThatAMissingOneWasMeantBy) {
+  const TreeNode root = parse_yaml("x: 1\ndurration: 2\n", "f");
+  Table table(Value(root, "thing", kNone));
+  EXPECT_EQ(error_of([&] { table.need("duration"); }),
+            "f:1:1: thing: missing key 'duration'; did you mean it by 'durration' on line 2?");
+}
+
 TEST(TableTest, RefusesWhatIsNoMap) {
   const TreeNode root = parse_yaml("[1]\n", "f");
   EXPECT_EQ(error_of([&] { Table table(Value(root, "thing", kNone)); }),

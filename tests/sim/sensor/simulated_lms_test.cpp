@@ -360,6 +360,25 @@ TEST(SimulatedLmsTest, NoiseOfAScanDoesNotDependOnTheScansBefore) {
   EXPECT_TRUE(std::equal(fewer.begin(), fewer.end(), whole.begin()));
 }
 
+// However seldom there are scans.
+TEST(SimulatedLmsTest, SeesWhoWalksThroughAWallBetweenScans) {
+  for (const double period_s : {0.2, 1.0, 5.0}) {
+    World world = wall_ahead();
+    Walker walker;
+    walker.id = "ann";
+    walker.path = {{{1, 2.5}, {1, 8}}, false, 0.0, false};
+    world.walkers.push_back(walker);
+    SimulationOptions options = ideal();
+    options.lms.scan_period_s = period_s;
+    options.duration_s = 5.5;
+    SimulatedLms lms(world, options);
+    all_scans(lms);
+    ASSERT_GE(lms.collisions().size(), 1u) << period_s;
+    EXPECT_EQ(lms.collisions()[0].first, "ann");
+    EXPECT_EQ(lms.collisions()[0].second, "wall");
+  }
+}
+
 TEST(SimulatedLmsTest, RefusesBadWorldsAndOptions) {
   World world = wall_ahead();
   world.robot.radius_m = -1.0;

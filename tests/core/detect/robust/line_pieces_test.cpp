@@ -32,6 +32,7 @@ Split split(const LaserScan& scan) {
   splitter.add(all);
   splitter.split();
   splitter.append_pieces(all, result.pieces);
+  splitter.settle_cuts(result.pieces);
   return result;
 }
 
