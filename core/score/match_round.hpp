@@ -10,9 +10,8 @@
 
 namespace scanbed {
 
-/// Compares the circles of one scan with its true cylinders, one to one and nearest first, and adds the
-/// counts to `score`. A circle on a true leg, or on a cylinder that need not be found, is neither right nor
-/// wrong.
+/// Compares the circles of one scan with its true cylinders, one to one and nearest first. A circle on a true
+/// leg, or on a cylinder that need not be found, is neither right nor wrong.
 KindScore match_circles(const std::vector<Circle>& circles, const Truth& truth, const MatchOptions& options);
 
 /// The same for legs. A leg on a true cylinder narrower than options.narrow_cylinder_m is neither right nor

@@ -20,7 +20,7 @@ spdlog::color_mode color_mode() {
 }
 
 spdlog::logger make_logger() {
-  auto sink = std::make_shared<spdlog::sinks::ansicolor_stderr_sink_st>(color_mode());
+  auto sink = std::make_shared<spdlog::sinks::ansicolor_stderr_sink_mt>(color_mode());
   sink->set_pattern("scanbed: %^%v%$");
   return spdlog::logger("scanbed", sink);
 }

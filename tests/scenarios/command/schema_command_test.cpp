@@ -24,9 +24,5 @@ TEST(SchemaTest, PrintsASchemaOfAllSections) {
   EXPECT_EQ(schema["$defs"]["whole"]["required"], nlohmann::json({"schema", "name", "duration"}));
 }
 
-TEST(SchemaTest, CallsAFullDiskAFault) {
-  EXPECT_EQ(run_program({"schema"}, "/dev/full").exit_code, 3);
-}
-
 }  // namespace
 }  // namespace scanbed::scenarios
