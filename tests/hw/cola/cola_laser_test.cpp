@@ -8,6 +8,7 @@
 #include "core/errors/input_error.hpp"
 #include "hw/cola/emulated_cola.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "tests/support/interposed_device.hpp"
 #include "tests/support/running_device.hpp"
 #include "tests/support/wide_sensor.hpp"
 
@@ -25,6 +26,14 @@ ColaOptions network(int port) {
   options.port = port;
   options.poll_s = 0.01;
   options.recovery.pause_s = 0.05;
+  return options;
+}
+
+/// A driver that soon gives up.
+ColaOptions impatient(int port) {
+  ColaOptions options = network(port);
+  options.reply_s = 0.1;
+  options.recovery.num_first_attempts = 1;
   return options;
 }
 
@@ -113,39 +122,38 @@ TEST(ColaLaserTest, WaitsForTheMotorAlsoWhereTheLogInIsRefused) {
 
 /// An emulated sensor that answers one request with an error, or not at all where there is none, for some
 /// times; lists all requests.
-class RefusingCola final : public ByteDevice {
+class RefusingCola final : public tests::InterposedDevice {
  public:
   RefusingCola(ByteDevice& sensor, std::string request, std::string error, int num_times)
-      : sensor_(sensor), request_(std::move(request)), error_(std::move(error)), num_times_(num_times) {}
+      : InterposedDevice(sensor),
+        request_(std::move(request)),
+        error_(std::move(error)),
+        num_times_(num_times) {}
 
   void receive(ByteView bytes, double now_s) override {
     reader_.feed(bytes);
     for (std::string body; reader_.next(body);) {
       requests.push_back(body);
       const bool is_refused = body.starts_with(request_) && num_refused < num_times_;
-      if (is_refused && !error_.empty()) refusal_ = frame_cola(error_);
+      if (is_refused && !error_.empty()) refuse();
       num_refused += is_refused ? 1 : 0;
-      if (!is_refused) sensor_.receive(frame_cola(body), now_s);
+      if (!is_refused) hand_on(frame_cola(body), now_s);
     }
   }
-  void run(double now_s, Bytes& out) override {
-    out.insert(out.end(), refusal_.begin(), refusal_.end());
-    refusal_.clear();
-    sensor_.run(now_s, out);
-  }
-  double next_event_s() const override { return sensor_.next_event_s(); }
-  void hang_up() override { sensor_.hang_up(); }
 
   std::atomic<int> num_refused = 0;
   std::vector<std::string> requests;  // to be read when nobody serves it any more
 
  private:
-  ByteDevice& sensor_;
+  void refuse() {
+    const Bytes error = frame_cola(error_);
+    answer({reinterpret_cast<const char*>(error.data()), error.size()});
+  }
+
   std::string request_;
   std::string error_;
   int num_times_;
   ColaReader reader_;
-  Bytes refusal_;
 };
 
 // While somebody is logged in, an LMS sends nothing to anybody.
@@ -155,10 +163,7 @@ TEST(ColaLaserTest, LogsOutAlsoWhereItGivesUp) {
   RefusingCola sensor(emulated, "sMN LMCstartmeas", "", 1);
   {
     RunningDevice running(sensor);
-    ColaOptions options = network(running.port());
-    options.reply_s = 0.1;
-    options.recovery.num_first_attempts = 1;
-    const auto laser = open_cola(options);
+    const auto laser = open_cola(impatient(running.port()));
     LaserScan scan;
     EXPECT_THROW(laser->next(scan, kPatience), SensorFault);
   }
@@ -186,10 +191,7 @@ TEST(ColaLaserTest, SaysWhatMayBeWrongWhereNothingIsAnswered) {
   EmulatedCola emulated({}, source);
   RefusingCola sensor(emulated, "s", "", 1000);
   RunningDevice running(sensor);
-  ColaOptions options = network(running.port());
-  options.reply_s = 0.1;
-  options.recovery.num_first_attempts = 1;
-  const auto laser = open_cola(options);
+  const auto laser = open_cola(impatient(running.port()));
   LaserScan scan;
   try {
     laser->next(scan, kPatience);

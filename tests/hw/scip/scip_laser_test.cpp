@@ -10,6 +10,7 @@
 #include "hw/scip/emulated_scip.hpp"
 #include "hw/serial/serial_port.hpp"
 #include "hw/serial/steady_clock.hpp"
+#include "tests/support/interposed_device.hpp"
 #include "tests/support/running_device.hpp"
 #include "tests/support/wide_sensor.hpp"
 
@@ -256,7 +257,7 @@ TEST(ScipClientTest, AMessageWasOnTheWireForItsBytes) {
 }
 
 /// A sensor at a baud of its own, at a port whose host it hears at that alone.
-class SerialScip final : public ByteDevice {
+class SerialScip final : public tests::InterposedDevice {
  public:
   enum class Change {
     kDone,
@@ -265,31 +266,22 @@ class SerialScip final : public ByteDevice {
   };  ///< what SS brings about; kNone: it says "done" and does nothing
 
   SerialScip(ByteDevice& sensor, const PseudoTerminal& terminal, Change change)
-      : sensor_(sensor), terminal_(terminal), change_(change) {}
+      : InterposedDevice(sensor), terminal_(terminal), change_(change) {}
 
   void receive(ByteView bytes, double now_s) override {
     if (terminal_.host_baud() != baud) return;
     const std::string text(bytes.begin(), bytes.end());
-    if (!text.starts_with("SS")) return sensor_.receive(bytes, now_s);
+    if (!text.starts_with("SS")) return hand_on(bytes, now_s);
     const std::string status = change_ == Change::kRefused ? "04" : "00";
-    answer_ = text + status + scip_sum(status) + "\n\n";
+    answer(text + status + scip_sum(status) + "\n\n");
     if (change_ == Change::kDone) baud = std::stoi(text.substr(2));
   }
-  void run(double now_s, Bytes& out) override {
-    out.insert(out.end(), answer_.begin(), answer_.end());
-    answer_.clear();
-    sensor_.run(now_s, out);
-  }
-  double next_event_s() const override { return sensor_.next_event_s(); }
-  void hang_up() override { sensor_.hang_up(); }
 
   std::atomic<int> baud = 19200;
 
  private:
-  ByteDevice& sensor_;
   const PseudoTerminal& terminal_;
   Change change_;
-  std::string answer_;
 };
 
 TEST(ScipLaserTest, TakesASerialSensorToTheBaudThatIsAskedForWhereItCan) {
@@ -318,31 +310,22 @@ TEST(ScipLaserTest, TakesASerialSensorToTheBaudThatIsAskedForWhereItCan) {
 }
 
 /// A sensor in an abnormal state, until it is reset if that helps.
-class AbnormalScip final : public ByteDevice {
+class AbnormalScip final : public tests::InterposedDevice {
  public:
-  AbnormalScip(ByteDevice& sensor, bool reset_helps) : sensor_(sensor), reset_helps_(reset_helps) {}
+  AbnormalScip(ByteDevice& sensor, bool reset_helps) : InterposedDevice(sensor), reset_helps_(reset_helps) {}
 
   void receive(ByteView bytes, double now_s) override {
     const std::string text(bytes.begin(), bytes.end());
     num_resets += text.starts_with("RS") ? 1 : 0;
-    if (num_resets > 0 && reset_helps_) return sensor_.receive(bytes, now_s);
+    if (num_resets > 0 && reset_helps_) return hand_on(bytes, now_s);
     const std::string status = text.starts_with("RS") ? "00" : "0L";
-    answer_ = text + status + scip_sum(status) + "\n\n";
+    answer(text + status + scip_sum(status) + "\n\n");
   }
-  void run(double now_s, Bytes& out) override {
-    out.insert(out.end(), answer_.begin(), answer_.end());
-    answer_.clear();
-    sensor_.run(now_s, out);
-  }
-  double next_event_s() const override { return sensor_.next_event_s(); }
-  void hang_up() override { sensor_.hang_up(); }
 
   std::atomic<int> num_resets = 0;
 
  private:
-  ByteDevice& sensor_;
   bool reset_helps_;
-  std::string answer_;
 };
 
 TEST(ScipLaserTest, ResetsASensorInAnAbnormalState) {
