@@ -7,7 +7,8 @@
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/shared_flags.hpp"
 #include "scenarios/run/output.hpp"
-#include "sim/spatial/mjcf.hpp"
+#include "sim/engine/make_engine.hpp"
+#include "sim/spatial/posed_mjcf.hpp"
 
 namespace scanbed::scenarios {
 namespace {
@@ -29,7 +30,8 @@ ExitCode execute(const ExportCommand& command) {
   }
   const Scenario scenario = open_scenario(command.scenario, settings.scenario, command.seed);
   scenario.world.validate();
-  write_whole(command.mjcf, sim::mjcf_of(scenario.world));
+  const auto engine = sim::make_engine(scenario.world, sim::Backend::kPlanar);
+  write_whole(command.mjcf, sim::posed_mjcf(scenario.world, engine->state()));
   return kExitFine;
 }
 
@@ -43,8 +45,8 @@ Usage export_usage() {
       texts->settings.flag(),
   };
   usage.footer =
-      R"(What moves stands at the origin: robot and walkers as mocap bodies, towed cylinders as free ones, for
-who uses the model to put in their places.
+      R"(What moves stands as the scenario begins: robot and walkers as mocap bodies, which move where they are put,
+towed cylinders as free ones; who comes later waits far below the floor.
 Example:
   scanbed export static_hallway --mjcf hall.xml)";
   usage.command = [texts] {

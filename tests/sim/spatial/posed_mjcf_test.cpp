@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "sim/spatial/posed_mjcf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "sim/engine/make_engine.hpp"
+#include "sim/spatial/mjcf.hpp"
+#include "sim/spatial/mujoco_model.hpp"
+#include "sim/spatial/part_names.hpp"
+#include "sim/spatial/pose_actors.hpp"
+#include "tests/support/hall.hpp"
+
+namespace scanbed::sim {
+namespace {
+
+// As the engine's own poses say, at the start and later; of bodies and of what hangs on them.
+TEST(PosedMjcfTest, AResetModelStandsAsTheWorldDid) {
+  const World world = test_hall();
+  const auto engine = make_engine(world, Backend::kPlanar);
+  for (const double time_s : {0.0, 3.0}) {
+    engine->advance_to(time_s);
+    const ModelPtr model = load_model(posed_mjcf(world, engine->state()));
+    const DataPtr data = make_data(*model);
+    mj_forward(model.get(), data.get());
+    const ModelPtr plain = load_model(mjcf_of(world));
+    const DataPtr expected = make_data(*plain);
+    pose_actors(world, engine->state(), *plain, *expected);
+    ASSERT_EQ(model->ngeom, plain->ngeom);
+    for (int i = 0; i < 3 * model->ngeom; ++i) {
+      EXPECT_NEAR(data->geom_xpos[i], expected->geom_xpos[i], 1e-9) << time_s << " " << i / 3;
+    }
+    const int robot = mj_name2id(model.get(), mjOBJ_BODY, kRobotBody);
+    EXPECT_NEAR(data->xpos[3 * robot], engine->state().X_WR.p_m.x(), 1e-9);
+    EXPECT_NEAR(data->xpos[3 * robot + 1], engine->state().X_WR.p_m.y(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace scanbed::sim
