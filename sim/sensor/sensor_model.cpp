@@ -152,7 +152,7 @@ double SensorModel::reading_m(int beam) const {
   }
   if (range_m > range_limit_m_) return kNoEcho;
   range_m = std::max(range_m, 0.0);
-  return range_m < options_.min_range_m ? kInvalid : range_m;
+  return range_m < options_.min_range_m ? kTooClose : range_m;
 }
 
 double SensorModel::strength(double range_m, double cos_incidence, const Material& material) const {

@@ -23,8 +23,9 @@ class SensorModel {
   SensorModel(const SensorOptions& options, std::uint64_t seed, std::vector<Material> materials);
 
   /// Writes the ranges of one scan over `range_m`, decoded from words unless the sensor's ranges are exact:
-  /// kNoEcho without an echo and beyond the greatest range, kInvalid where dazzled or too close. What
-  /// noise takes below 0 is 0.
+  /// kNoEcho without an echo and beyond the greatest range, kInvalid where dazzled; where too close,
+  /// kTooClose of exact ranges and kInvalid of words, which have no code for it. What noise takes below 0 is
+  /// 0.
   void measure(const IdealReturns& returns, std::int64_t scan, std::vector<double>& range_m);
 
   /// Standard deviation of the noise on a clean echo, in closed form (see NoiseOptions).

@@ -94,14 +94,15 @@ TEST(SensorModelTest, CentimetresAndMoreBitsReachFarther) {
   EXPECT_EQ(ranges_of(options, all_at(12.3444))[0], kNoEcho);
 }
 
-TEST(SensorModelTest, TooCloseIsInvalidAndExactRangesAreNotRounded) {
+// Words have no code for it, exact ranges have what REP 117 asks for.
+TEST(SensorModelTest, TooCloseIsInvalidInWordsAloneAndExactRangesAreNotRounded) {
   SensorOptions options = with_sigma(0.0);
   options.min_range_m = 0.1;
   EXPECT_TRUE(std::isnan(ranges_of(options, all_at(0.09))[0]));
   EXPECT_EQ(ranges_of(options, all_at(0.101))[0], 0.101);
   options.exact_ranges = true;
   EXPECT_EQ(ranges_of(options, all_at(1.23456789))[0], 1.23456789);
-  EXPECT_TRUE(std::isnan(ranges_of(options, all_at(0.09))[0]));
+  EXPECT_EQ(ranges_of(options, all_at(0.09))[0], kTooClose);
   EXPECT_EQ(ranges_of(options, all_at(9.0))[0], kNoEcho);
 }
 
