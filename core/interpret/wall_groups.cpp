@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "core/interpret/gap_view.hpp"
-#include "core/interpret/piece_order.hpp"
 
 namespace scanbed {
 namespace {
@@ -75,21 +74,28 @@ void WallGroups::find(const LaserScan& scan, const std::vector<Line>& lines, con
   }
 }
 
+// On the line of the wall's longest piece too, or a curve would be one wall, bit by bit.
+int WallGroups::next_of(int piece, const std::vector<Line>& lines, const PieceOrder& order,
+                        const InterpretOptions& options) const {
+  for (int num_on = 1; num_on <= order.num_after(piece); ++num_on) {
+    const int k = order.after(piece, num_on);
+    if (is_later_[k] == 0 && continues(lines[piece], lines[k], options) &&
+        is_collinear(lines[longest_[piece]], lines[k], options)) {
+      return k;
+    }
+  }
+  return kNoLine;
+}
+
 // Each piece with the next one that lies on its line, unless they are too far apart or a wide opening is
-// between. On the line of the wall's longest piece too, or a curve would be one wall, bit by bit.
+// between.
 void WallGroups::link(const LaserScan& scan, const std::vector<Line>& lines, const InterpretOptions& options,
                       Scene& scene) {
   const int num_lines = static_cast<int>(lines.size());
   const PieceOrder order(scan, num_lines);
   for (int i = 0; i < num_lines; ++i) {
-    const auto is_next = [&](int k) {
-      return is_later_[k] == 0 && continues(lines[i], lines[k], options) &&
-             is_collinear(lines[longest_[i]], lines[k], options);
-    };
-    int num_on = 1;
-    while (num_on <= order.num_after(i) && !is_next(order.after(i, num_on))) ++num_on;
-    if (num_on > order.num_after(i)) continue;
-    const int k = order.after(i, num_on);
+    const int k = next_of(i, lines, order, options);
+    if (k == kNoLine) continue;
     const GapView view = gap_view(scan, order.between(lines[i], lines[k]), plane_through(lines[i]));
     const double between_m = gap_m(lines[i], lines[k]);
     if (view == GapView::kOpen && between_m > options.max_door_m) continue;

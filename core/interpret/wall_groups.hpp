@@ -5,6 +5,7 @@
 
 #include "core/detect/features.hpp"
 #include "core/interpret/interpret_options.hpp"
+#include "core/interpret/piece_order.hpp"
 #include "core/interpret/scene.hpp"
 #include "core/scan/laser_scan.hpp"
 
@@ -19,6 +20,9 @@ class WallGroups {
             Scene& scene);
 
  private:
+  /// The piece that goes on where this one ends, or -1.
+  int next_of(int piece, const std::vector<Line>& lines, const PieceOrder& order,
+              const InterpretOptions& options) const;
   void link(const LaserScan& scan, const std::vector<Line>& lines, const InterpretOptions& options,
             Scene& scene);
   void add_wall(const std::vector<Line>& lines, int first, const InterpretOptions& options, Scene& scene);

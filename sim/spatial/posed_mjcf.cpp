@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/spatial/posed_mjcf.hpp"
 
+#include <cstddef>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -31,8 +32,9 @@ std::string posed_mjcf(const World& world, const WorldState& state) {
   for (pugi::xml_node body : document.child("mujoco").child("worldbody").children("body")) {
     const int id = mj_name2id(model.get(), mjOBJ_BODY, body.attribute("name").value());
     SCANBED_ENSURE(id > 0);
-    const mjtNum* const p_WB = data->xpos + 3 * id;
-    const mjtNum* const q_WB = data->xquat + 4 * id;
+    const auto place = static_cast<std::ptrdiff_t>(id);
+    const mjtNum* const p_WB = data->xpos + 3 * place;
+    const mjtNum* const q_WB = data->xquat + 4 * place;
     set(body, "pos", {p_WB[0], p_WB[1], p_WB[2]});
     set(body, "quat", {q_WB[0], q_WB[1], q_WB[2], q_WB[3]});
   }
