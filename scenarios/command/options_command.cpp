@@ -33,7 +33,7 @@ Usage options_usage() {
   usage.footer = R"(Prints YAML with units and effects, for --config FILE.
 Examples:
   scanbed options --preset robust > mine.yaml
-  scanbed detect --laser log:hall.log --config mine.yaml --set track.gate_m=0.2)";
+  scanbed detect --laser log:hall.log --track --config mine.yaml --set track.gate_m=0.2)";
   usage.command = [texts] {
     return OptionsCommand{.detector = texts->detector.value(), .settings = texts->settings.values()};
   };
