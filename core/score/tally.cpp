@@ -69,9 +69,14 @@ KindScore& KindScore::operator+=(const KindScore& other) {
   return *this;
 }
 
-double Scores::false_per_scan(const KindScore& kind) const {
-  return num_scans == 0 ? 0.0
-                        : static_cast<double>(kind.tally.num_detections - kind.tally.num_right) / num_scans;
+std::optional<double> Scores::false_per_scan(const KindScore& kind) const {
+  if (num_scans == 0) return std::nullopt;
+  return static_cast<double>(kind.tally.num_detections - kind.tally.num_right) / num_scans;
+}
+
+std::optional<double> Scores::false_per_scan(const TrackTally& tracks) const {
+  if (num_scans == 0) return std::nullopt;
+  return static_cast<double>(tracks.num_false) / num_scans;
 }
 
 }  // namespace scanbed

@@ -57,8 +57,9 @@ struct Scores {
   std::optional<TrackTally> person;    ///< where tracks were scored
   std::optional<TrackTally> cylinder;  ///< likewise
 
-  /// Wrong detections of a kind per scan; 0 where there was no scan.
-  double false_per_scan(const KindScore& kind) const;
+  /// Wrong detections of a kind, or tracks on nothing, per scan; empty where there was no scan.
+  std::optional<double> false_per_scan(const KindScore& kind) const;
+  std::optional<double> false_per_scan(const TrackTally& tracks) const;
 };
 
 }  // namespace scanbed

@@ -130,8 +130,7 @@ SerialPort::SerialPort(const std::string& path)
 }
 
 SerialPort::~SerialPort() {
-  // Where somebody else holds the port open, as an emulator does, the mark would outlive this and keep the
-  // next user out.
+  // Where somebody else holds the port open, the mark would outlive this and keep the next user out.
   if (fd_.is_open()) ::ioctl(fd_.get(), TIOCNXCL);
 }
 

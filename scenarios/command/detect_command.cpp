@@ -71,9 +71,7 @@ void refuse_scenario_settings(std::span<const Setting> settings, std::string_vie
 OpenedLaser open_laser(const DetectCommand& command, std::span<const Setting> settings,
                        const FeatureDetector& detector) {
   const LaserSpec& spec = command.laser;
-  if (spec.kind != LaserKind::kSimulated && command.backend != sim::Backend::kPlanar) {
-    throw InputError("--backend: engines are only for the simulated laser; found --laser " + spec.text);
-  }
+  if (command.backend != sim::Backend::kPlanar) need_simulated(spec, "--backend: engines are");
   if (spec.kind == LaserKind::kLog) {
     refuse_scenario_settings(settings, "a recording");
     auto log = open_log(spec);

@@ -101,6 +101,11 @@ std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec) {
   return std::make_unique<hw::SickLms>(spec.sick);
 }
 
+void need_simulated(const LaserSpec& spec, std::string_view what) {
+  if (spec.kind == LaserKind::kSimulated) return;
+  throw InputError(fmt::format("{} only for the simulated laser; found --laser {}", what, spec.text));
+}
+
 std::string to_text(const hw::RecordingCounts& counts) {
   return fmt::format("{}, {}, {}", plural(counts.num_scans, "scan"),
                      plural(counts.num_damaged_lines, "damaged line"),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/detect/detector_options.hpp"
@@ -36,6 +37,9 @@ std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec);
 
 /// A laser at a port or in the network. @pre  spec.is_device().
 std::unique_ptr<RangeSensor> open_device(const LaserSpec& spec);
+
+/// @throws InputError "--seed: seeds are only for the simulated laser; found --laser log:a.log" unless it is.
+void need_simulated(const LaserSpec& spec, std::string_view what);
 
 /// "37 scans, 0 damaged lines, 3 other lines".
 std::string to_text(const hw::RecordingCounts& counts);

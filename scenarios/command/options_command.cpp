@@ -16,8 +16,8 @@ ExitCode execute(const OptionsCommand& command) {
     throw InputError("--set " + setting.path + ": no such option" + near_detector_setting_hint(setting.path) +
                      "; 'scanbed options' lists them");
   }
-  open_detector(command.detector, command.settings,
-                {});  // warns of what is read by nothing, and so not printed
+  // Warns of what nothing reads: that is not printed either.
+  open_detector(command.detector, command.settings, {});
   write_whole(std::nullopt, options_yaml(command.detector, command.settings));
   return kExitFine;
 }

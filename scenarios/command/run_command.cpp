@@ -107,13 +107,9 @@ void check_laser(const RunCommand& command) {
     if (command.laser.target.empty()) return;
     throw InputError("--laser " + command.laser.text + ": run takes its scenarios as arguments; write sim");
   }
-  const auto refuse = [&](std::string_view what) {
-    throw InputError(
-        fmt::format("{} only for the simulated laser; found --laser {}", what, command.laser.text));
-  };
-  if (command.out) refuse("--out: pictures are");
-  if (command.seeds) refuse("--seed: seeds are");
-  if (command.backend != sim::Backend::kPlanar) refuse("--backend: engines are");
+  if (command.out) need_simulated(command.laser, "--out: pictures are");
+  if (command.seeds) need_simulated(command.laser, "--seed: seeds are");
+  if (command.backend != sim::Backend::kPlanar) need_simulated(command.laser, "--backend: engines are");
 }
 
 // What a recording shows has been; a scenario says what it is held to, no more.
@@ -124,8 +120,7 @@ void check_settings(const RunCommand& command, std::span<const Setting> settings
   for (const Setting& setting : settings) {
     const std::string_view section = std::string_view(setting.path).substr(0, setting.path.find('.'));
     if (std::find(kOfTheWorld.begin(), kOfTheWorld.end(), section) == kOfTheWorld.end()) continue;
-    throw InputError(fmt::format("--set {}: worlds are only for the simulated laser; found --laser {}",
-                                 setting.path, command.laser.text));
+    need_simulated(command.laser, fmt::format("--set {}: worlds are", setting.path));
   }
 }
 

@@ -61,11 +61,10 @@ std::vector<double> load_times(Table& table, std::string_view key, const Duratio
   return times_s;
 }
 
-void load_outputs(const Value& value, bool is_duration_of_file, Scenario& scenario) {
+void load_outputs(const Value& value, const Duration& duration, Scenario& scenario) {
   Table outputs(value);
   if (const auto section = outputs.take("pictures")) {
     Table pictures(*section);
-    const Duration duration{scenario.duration_s, is_duration_of_file};
     scenario.pictures.top_s = load_times(pictures, "top", duration);
     scenario.pictures.camera_s = load_times(pictures, "camera", duration);
     scenario.pictures.laser_s = load_times(pictures, "laser", duration);
@@ -74,7 +73,7 @@ void load_outputs(const Value& value, bool is_duration_of_file, Scenario& scenar
   outputs.finish();
 }
 
-void load_header(Table& table, Scenario& scenario) {
+Duration load_header(Table& table, Scenario& scenario) {
   const Value schema = table.need("schema");
   if (schema.count() != 1) schema.refuse("this version reads schema 1");
   scenario.name = load_name(table.need("name"));
@@ -82,8 +81,10 @@ void load_header(Table& table, Scenario& scenario) {
   if (const auto seed = table.take("seed")) {
     scenario.seed = static_cast<std::uint64_t>(seed->count({.least = 0.0}));
   }
-  scenario.duration_s = table.need("duration").number({.least = 0.0, .greatest = kLongest_s, .open = true});
+  const Value duration = table.need("duration");
+  scenario.duration_s = duration.number({.least = 0.0, .greatest = kLongest_s, .open = true});
   scenario.known_fail = take_known_fail(table);
+  return {scenario.duration_s, duration.node().place.line > 0};
 }
 
 Scenario load_tree(const Value& root) {
@@ -92,8 +93,7 @@ Scenario load_tree(const Value& root) {
   Table table(root);
   table.take("vars");                                                       // read before
   if (const auto include = table.take("include")) include_names(*include);  // resolved before
-  load_header(table, scenario);
-  const bool is_duration_of_file = table.need("duration").node().place.line > 0;
+  const Duration duration = load_header(table, scenario);
   if (const auto sensor = table.take("sensor")) load_sensor(*sensor, scenario);
   if (const auto generate = table.take("generate")) load_generated(*generate, scenario);
   if (const auto robot = table.take("robot")) load_robot(*robot, scenario.world.robot);
@@ -101,7 +101,7 @@ Scenario load_tree(const Value& root) {
   if (const auto actors = table.take("actors")) load_actors(*actors, scenario);
   if (const auto score = table.take("score")) load_score(*score, scenario);
   if (const auto expect = table.take("expect")) load_expect(*expect, scenario);
-  if (const auto outputs = table.take("outputs")) load_outputs(*outputs, is_duration_of_file, scenario);
+  if (const auto outputs = table.take("outputs")) load_outputs(*outputs, duration, scenario);
   table.finish();
   return scenario;
 }

@@ -51,10 +51,12 @@ Value Table::need(std::string_view key) {
 
 // Of the keys that nothing has asked for yet, one that may have been meant.
 std::string Table::misspelt(std::string_view key) const {
+  constexpr std::size_t kMinLetters = 3;  // shorter ones are near everything
+  if (key.size() < kMinLetters) return {};
   const std::vector<std::string> missing{std::string(key)};
   const std::vector<NodeEntry>& entries = value_.node().entries;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (taken_[i] || key.size() < 3 || !nearest_name(entries[i].key, missing)) continue;
+    if (taken_[i] || !nearest_name(entries[i].key, missing)) continue;
     return fmt::format("; did you mean it by {} on line {}?", quote(entries[i].key), entries[i].place.line);
   }
   return {};

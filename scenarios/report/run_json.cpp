@@ -17,6 +17,10 @@ Json rounded(double value) {
   return std::round(value * 1e9) / 1e9 + 0.0;
 }
 
+Json rounded(const std::optional<double>& value) {
+  return value ? rounded(*value) : Json(nullptr);
+}
+
 Json share(int part, int whole) {
   return whole == 0 ? Json(nullptr) : rounded(static_cast<double>(part) / whole);
 }
@@ -45,16 +49,12 @@ Json to_json(const KindScore& score, const Scores& scores) {
           {"bands", bands}};
 }
 
-Json rounded(const std::optional<double>& value) {
-  return value ? rounded(*value) : Json(nullptr);
-}
-
-Json to_json(const std::optional<TrackTally>& tally, int num_scans) {
+Json to_json(const std::optional<TrackTally>& tally, const Scores& scores) {
   if (!tally) return nullptr;
   return {{"truths", tally->num_truths},
           {"found", tally->num_matches},
           {"false", tally->num_false},
-          {"false_per_scan", num_scans == 0 ? Json(nullptr) : rounded(1.0 * tally->num_false / num_scans)},
+          {"false_per_scan", rounded(scores.false_per_scan(*tally))},
           {"neither", tally->num_neither},
           {"id_switches", tally->num_switches},
           {"id_switches_per_minute", rounded(tally->switches_per_minute())},
@@ -64,8 +64,8 @@ Json to_json(const std::optional<TrackTally>& tally, int num_scans) {
 }
 
 Json to_json(const Scores& scores) {
-  return {{"person", to_json(scores.person, scores.num_scans)},
-          {"cylinder", to_json(scores.cylinder, scores.num_scans)},
+  return {{"person", to_json(scores.person, scores)},
+          {"cylinder", to_json(scores.cylinder, scores)},
           {"line", to_json(scores.line, scores)},
           {"circle", to_json(scores.circle, scores)},
           {"leg", to_json(scores.leg, scores)}};

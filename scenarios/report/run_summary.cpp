@@ -28,22 +28,14 @@ std::vector<Runs> group(Runs results) {
   return groups;
 }
 
-struct Pool {
-  int num_scans = 0;
-  Tally line;
-  Tally circle;
-  Tally leg;
-  std::optional<TrackTally> person;
-};
-
-Pool pool(Runs runs) {
-  Pool pool;
+Scores pool(Runs runs) {
+  Scores pool;
   for (const RunResult& run : runs) {
     if (!run.scores) continue;
     pool.num_scans += run.scores->num_scans;
-    pool.line += run.scores->line.tally;
-    pool.circle += run.scores->circle.tally;
-    pool.leg += run.scores->leg.tally;
+    pool.line.tally += run.scores->line.tally;
+    pool.circle.tally += run.scores->circle.tally;
+    pool.leg.tally += run.scores->leg.tally;
     if (!run.scores->person) continue;
     if (!pool.person) pool.person.emplace();
     *pool.person += *run.scores->person;
@@ -55,11 +47,10 @@ std::string seed_text(const std::optional<std::uint64_t>& seed) {
   return seed ? fmt::format(" (seed {})", *seed) : "";
 }
 
-void append_tally(std::string& out, const Tally& tally, int num_scans) {
-  const double num_false = tally.num_detections - tally.num_right;
+void append_kind(std::string& out, const KindScore& kind, const Scores& scores) {
+  const Tally& tally = kind.tally;
   append_format(out, "{:>8}{:>7}{:>7}", share_text(tally.num_right, tally.num_detections),
-                share_text(tally.num_found, tally.num_truths),
-                num_scans == 0 ? "-" : fmt::format("{:.2f}", num_false / num_scans));
+                share_text(tally.num_found, tally.num_truths), value_text(scores.false_per_scan(kind), 2));
 }
 
 int count_refused(Runs runs) {
@@ -77,17 +68,13 @@ std::string verdict(Runs runs) {
 }
 
 void append_row(std::string& out, Runs runs) {
-  const Pool counts = pool(runs);
+  const Scores scores = pool(runs);
   append_format(out, "  {:<26}{:>5}", runs.front().scenario, runs.size());
-  for (const Tally* tally : {&counts.line, &counts.circle, &counts.leg}) {
-    append_tally(out, *tally, counts.num_scans);
-  }
-  const TrackTally people = counts.person.value_or(TrackTally{});
-  const bool is_followed = counts.person && counts.num_scans > 0;
+  for (const KindScore* kind : {&scores.line, &scores.circle, &scores.leg}) append_kind(out, *kind, scores);
+  const TrackTally people = scores.person.value_or(TrackTally{});
   append_format(out, "{:>8}{:>14}{:>7}  {}\n", value_text(people.mota(), 3),
                 value_text(people.switches_per_minute(), 2),
-                is_followed ? fmt::format("{:.2f}", 1.0 * people.num_false / counts.num_scans) : "-",
-                verdict(runs));
+                scores.person ? value_text(scores.false_per_scan(people), 2) : "-", verdict(runs));
 }
 
 // A bar of a scenario and the runs that missed it.

@@ -37,10 +37,10 @@ void append_tallies(std::string& out, const Scores& scores) {
     const Tally& tally = score.tally;
     const std::string rms_error =
         tally.num_right == 0 ? "-" : fmt::format("{:.1f} mm", 1000.0 * tally.rms_error_m());
-    append_format(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12.3f}{:>11}\n", to_string(kind),
+    append_format(out, "  {:<8}{:>8}{:>8}{:>8}{:>12}{:>8}{:>11}{:>12}{:>11}\n", to_string(kind),
                   tally.num_truths, tally.num_found, share_text(tally.num_found, tally.num_truths),
                   tally.num_detections, tally.num_right, share_text(tally.num_right, tally.num_detections),
-                  scores.false_per_scan(score), rms_error);
+                  value_text(scores.false_per_scan(score), 3), rms_error);
   }
 }
 

@@ -18,7 +18,7 @@ std::optional<double> recall_in_band(const KindScore& score, const Metric& metri
   return static_cast<double>(num_found) / num_truths;
 }
 
-std::optional<double> measure_tracks(const TrackTally& tally, int num_scans, const Metric& metric) {
+std::optional<double> measure_tracks(const TrackTally& tally, const Scores& scores, const Metric& metric) {
   switch (metric.measure) {
     case Measure::kMota:
       return tally.mota();
@@ -29,7 +29,7 @@ std::optional<double> measure_tracks(const TrackTally& tally, int num_scans, con
     case Measure::kIdf1:
       return tally.idf1();
     case Measure::kFalsePerScan:
-      return num_scans == 0 ? std::nullopt : std::optional(1.0 * tally.num_false / num_scans);
+      return scores.false_per_scan(tally);
     case Measure::kNumTruths:
       return tally.num_truths;
     case Measure::kPrecision:
@@ -51,7 +51,7 @@ std::optional<double> measure_features(const KindScore& score, const Scores& sco
     case Measure::kRecallInBand:
       return recall_in_band(score, metric);
     case Measure::kFalsePerScan:
-      return scores.num_scans == 0 ? std::nullopt : std::optional(scores.false_per_scan(score));
+      return scores.false_per_scan(score);
     case Measure::kRmsError:
       return tally.num_right == 0 ? std::nullopt : std::optional(tally.rms_error_m());
     case Measure::kNumTruths:
@@ -89,7 +89,7 @@ const std::optional<TrackTally>& tracks_of(const Scores& scores, FeatureKind kin
 std::optional<double> measure(const Scores& scores, FeatureKind kind, const Metric& metric) {
   if (!is_followed(kind)) return measure_features(score_of(scores, kind), scores, metric);
   const std::optional<TrackTally>& tally = tracks_of(scores, kind);
-  return tally ? measure_tracks(*tally, scores.num_scans, metric) : std::nullopt;
+  return tally ? measure_tracks(*tally, scores, metric) : std::nullopt;
 }
 
 bool is_met(const Need& need, double value) {

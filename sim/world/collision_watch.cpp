@@ -109,9 +109,6 @@ void CollisionWatch::look_at_legs(const WorldState& state, std::size_t walker) {
 }
 
 void CollisionWatch::look(const WorldState& state) {
-  constexpr double kSlack_s = 1e-9;  // 0.15 - 0.1 is a little less than 0.05
-  if (has_looked_ && state.time_s - time_s_ < kBetweenLooks_s - kSlack_s) return;
-  has_looked_ = true;
   time_s_ = state.time_s;
   look_at_robot(state);
   for (std::size_t i = 0; i < state.walkers.size(); ++i) {

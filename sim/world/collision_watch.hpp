@@ -35,8 +35,7 @@ class CollisionWatch {
   /// @pre the world validates.
   explicit CollisionWatch(const World& world);
 
-  /// Looks at a state, unless the last look was less than kBetweenLooks_s before.
-  /// Allocates only where something meets.
+  /// Looks at a state; whoever calls does so every kBetweenLooks_s. Allocates only where something meets.
   /// @pre states come in the order of time.
   void look(const WorldState& state);
 
@@ -69,7 +68,6 @@ class CollisionWatch {
   std::vector<Meeting> meetings_;
   std::vector<Collision> collisions_;
   double time_s_ = 0.0;  ///< of the last look
-  bool has_looked_ = false;
 };
 
 }  // namespace scanbed::sim

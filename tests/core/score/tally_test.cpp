@@ -38,10 +38,11 @@ TEST(TallyTest, TruthsFallIntoBandsOfTwoMetresTheLastOfThemOpen) {
 
 TEST(TallyTest, FalseDetectionsAreCountedPerScan) {
   Scores scores;
-  EXPECT_EQ(scores.false_per_scan(scores.leg), 0.0);
+  EXPECT_FALSE(scores.false_per_scan(scores.leg) || scores.false_per_scan(TrackTally{}));
   scores.num_scans = 4;
   scores.leg.tally = {.num_detections = 5, .num_right = 3};
-  EXPECT_DOUBLE_EQ(scores.false_per_scan(scores.leg), 0.5);
+  EXPECT_DOUBLE_EQ(scores.false_per_scan(scores.leg).value(), 0.5);
+  EXPECT_DOUBLE_EQ(scores.false_per_scan(TrackTally{.num_false = 1}).value(), 0.25);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <string>
 
 #include "sim/engine/make_engine.hpp"
 #include "sim/spatial/mjcf.hpp"
@@ -35,6 +35,26 @@ TEST(PosedMjcfTest, AResetModelStandsAsTheWorldDid) {
     EXPECT_NEAR(data->xpos[3 * robot], engine->state().X_WR.p_m.x(), 1e-9);
     EXPECT_NEAR(data->xpos[3 * robot + 1], engine->state().X_WR.p_m.y(), 1e-9);
   }
+}
+
+// More of them than MuJoCo would have room for by itself; each touches the floor.
+TEST(PosedMjcfTest, HasRoomForTheContactsOfManyTowedCylinders) {
+  World world;
+  for (int i = 0; i < 60; ++i) {
+    Walker walker;
+    walker.id = "w" + std::to_string(i);
+    walker.path = {{{0.0, 2.0 * i}, {4.0, 2.0 * i}}, false, 0.0, false};
+    walker.tow = Tow{};
+    walker.tow->id = "cyl" + std::to_string(i);
+    world.walkers.push_back(walker);
+  }
+  const auto engine = make_engine(world, Backend::kPlanar);
+  const ModelPtr model = load_model(posed_mjcf(world, engine->state()));
+  const DataPtr data = make_data(*model);
+  for (int i = 0; i < 20; ++i) mj_step(model.get(), data.get());
+  EXPECT_EQ(data->warning[mjWARN_CONTACTFULL].number, 0);
+  EXPECT_EQ(data->warning[mjWARN_CNSTRFULL].number, 0);
+  EXPECT_GE(data->ncon, 3 * 60);
 }
 
 }  // namespace

@@ -117,19 +117,6 @@ TEST_F(CollisionWatchTest, PartingForLessThanASecondIsOneMeeting) {
   EXPECT_EQ(watch.collisions(), (std::vector<Collision>{{1.0, "robot", "post"}, {3.5, "robot", "post"}}));
 }
 
-TEST_F(CollisionWatchTest, LooksAtMostTwentyTimesASecond) {
-  world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
-  CollisionWatch watch(world_);
-  watch.look(state_);
-  state_.time_s = 0.04;
-  state_.X_WR.p_m = {0.8, 0};
-  watch.look(state_);
-  EXPECT_TRUE(watch.collisions().empty());
-  state_.time_s = 0.05;
-  watch.look(state_);
-  EXPECT_EQ(watch.collisions().size(), 1u);
-}
-
 TEST_F(CollisionWatchTest, LooksAtEachOfTwentyTimesASecond) {
   world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
   for (int meeting = 1; meeting < 100; ++meeting) {
