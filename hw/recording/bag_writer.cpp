@@ -123,13 +123,13 @@ class BagWriter final : public ScanWriter {
     return bytes;
   }
 
-  /// The topic, made known to the bag where it is new.
+  /// The topic, made known where it is new to the open chunk, so that each can be read without the others.
   Topic& topic_of(const std::string& name, const RosType& type) {
     const auto [found, is_new] = topics_.try_emplace(name);
     if (is_new) {
       found->second = {.id = static_cast<std::uint32_t>(topics_.size() - 1), .name = name, .type = type};
-      append_connection(chunk_, found->second);
     }
+    if (!index_.contains(found->second.id)) append_connection(chunk_, found->second);
     return found->second;
   }
 

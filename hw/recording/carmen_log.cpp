@@ -30,7 +30,7 @@ struct CarmenLog::Impl {
 
 CarmenLine CarmenLog::Impl::read_line(const TextLine& line) {
   if (!line.is_too_long) return parse_carmen_line(line.text, options, scan);
-  return {.kind = CarmenLine::Kind::kDamaged, .has_time = false, .damage = "longer than 1 MiB"};
+  return {.kind = CarmenLine::Kind::kDamaged, .has_time = false, .damage = LineReader::kTooLong};
 }
 
 void CarmenLog::Impl::leave_out(const TextLine& line) {

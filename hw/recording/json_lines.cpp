@@ -183,7 +183,7 @@ class JsonLinesSource final : public ScanSource {
   /// Whether the line held a scan; what is wrong with a line is reported.
   bool try_line(const TextLine& line, RecordedScan& out) {
     try {
-      if (line.is_too_long) throw InputError("longer than 1 MiB");
+      if (line.is_too_long) throw InputError(LineReader::kTooLong);
       const JsonValue json = parse_json(line.text);
       if (json.find("ranges") != nullptr) {
         read_scan(json, out);

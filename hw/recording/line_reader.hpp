@@ -25,7 +25,9 @@ struct TextLine {
 /// A byte order mark is no part of the first.
 class LineReader {
  public:
-  static constexpr std::size_t kMaxLine = std::size_t{1} << 20;  ///< bytes without the line's end
+  /// Bytes without the line's end: room for the truth of more beams than any laser has.
+  static constexpr std::size_t kMaxLine = std::size_t{16} << 20;
+  static constexpr const char* kTooLong = "longer than 16 MiB";
 
   explicit LineReader(std::unique_ptr<ByteStream> bytes);
 

@@ -33,7 +33,8 @@ struct McapIndexEntry {
 
 struct WrittenChannel {
   std::uint16_t id = 0;
-  std::string record;  // as it stands in chunk and summary
+  std::size_t kind = 0;  // of McapContent
+  std::string record;    // as it stands in chunk and summary
   std::uint64_t num_messages = 0;
   std::vector<McapIndexEntry> index;  // of the open chunk
 };
@@ -147,9 +148,9 @@ class McapWriter final : public ScanWriter {
   void add_channel(const std::string& topic, std::size_t kind) {
     if (!std::exchange(is_schema_known_[kind], true)) {
       append_mcap_record(schemas_, McapOp::kSchema, schema_record(kind));
-      append_mcap_record(chunk_, McapOp::kSchema, schema_record(kind));
     }
     WrittenChannel channel;
+    channel.kind = kind;
     channel.id = static_cast<std::uint16_t>(channels_.size());
     std::string record;
     append_number(record, channel.id);
@@ -158,12 +159,20 @@ class McapWriter final : public ScanWriter {
     append_mcap_text(record, "json");
     append_mcap_map(record, {});
     append_mcap_record(channel.record, McapOp::kChannel, record);
-    chunk_.append(channel.record);
     channels_.push_back(std::move(channel));
+  }
+
+  /// In every chunk anew, so that each can be read without the others.
+  void define_in_chunk(const WrittenChannel& channel) {
+    if (!std::exchange(is_schema_in_chunk_[channel.kind], true)) {
+      append_mcap_record(chunk_, McapOp::kSchema, schema_record(channel.kind));
+    }
+    chunk_.append(channel.record);
   }
 
   void add(McapContent content, const LaserScan& scan, std::uint64_t time_ns, const std::string& json) {
     WrittenChannel& channel = channel_of(content, scan);
+    if (channel.index.empty()) define_in_chunk(channel);
     channel.index.push_back({time_ns, chunk_.size()});
     chunk_span_.include(time_ns);
     span_.include(time_ns);
@@ -208,6 +217,7 @@ class McapWriter final : public ScanWriter {
     put(bytes);
     chunk_.clear();
     chunk_span_ = {};
+    is_schema_in_chunk_ = {};
   }
 
   /// Appends the index of a channel's messages in the open chunk, and where it will stand to `offsets`.
@@ -289,6 +299,7 @@ class McapWriter final : public ScanWriter {
   std::vector<WrittenChannel> channels_;
   std::map<std::pair<std::string, std::size_t>, std::size_t> ids_;  // by topic and kind
   std::array<bool, kMcapSchemas.size()> is_schema_known_ = {};
+  std::array<bool, kMcapSchemas.size()> is_schema_in_chunk_ = {};  // that is open
 
   std::string chunk_;  // open, not packed yet
   double chunk_start_s_ = 0.0;

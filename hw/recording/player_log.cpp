@@ -112,7 +112,7 @@ class PlayerSource final : public ScanSource {
   /// Whether the line held a scan; what is wrong with a line is reported.
   bool try_line(const TextLine& line, RecordedScan& out) {
     try {
-      if (line.is_too_long) throw InputError("longer than 1 MiB");
+      if (line.is_too_long) throw InputError(LineReader::kTooLong);
       if (line.text.find('\0') != std::string_view::npos) throw InputError("holds zero bytes");
       return take_line(line.text, out);
     } catch (const InputError& error) {

@@ -19,7 +19,6 @@
 #include "scenarios/command/progress.hpp"
 #include "scenarios/command/recorder.hpp"
 #include "scenarios/command/shared_flags.hpp"
-#include "scenarios/command/source_fault.hpp"
 #include "scenarios/command/source_watch.hpp"
 #include "scenarios/report/feature_line.hpp"
 #include "scenarios/run/analyst.hpp"
@@ -131,15 +130,22 @@ ExitCode execute(const DetectCommand& command) {
                              .tracker = options.track,
                              .interpreter = options.interpret});
   const OpenedLaser laser = open_laser(command, settings.scenario, detector);
-  Output output(command.out);
+  Output output(command.out, Output::Unfinished::kKept);
   hw::RecordingMetadata metadata = recording_metadata(command.laser.text, preset_of(options));
   if (laser.scenario) add_scenario(metadata, command.laser.target, laser.scenario->seed);
   Recorder recorder(command.record, metadata);
-  const std::exception_ptr fault = source_fault([&] {
-    print_features(command, *laser.sensor, analyst, {output, recorder});
-  });
-  output.commit();
-  recorder.finish();
+  // Whatever ends it, what was made until then is kept: also by one output where the other's disk is full.
+  std::exception_ptr fault;
+  const auto attempt = [&](const auto& step) {
+    try {
+      step();
+    } catch (const std::exception&) {
+      if (!fault) fault = std::current_exception();
+    }
+  };
+  attempt([&] { print_features(command, *laser.sensor, analyst, {output, recorder}); });
+  attempt([&] { output.commit(); });
+  attempt([&] { recorder.finish(); });
   if (laser.log != nullptr) log_note(to_text(laser.log->counts()));
   if (fault) std::rethrow_exception(fault);
   return is_interrupted() ? kExitInterrupted : kExitFine;

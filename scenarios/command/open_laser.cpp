@@ -70,7 +70,7 @@ std::unique_ptr<sim::SimulatedLms> simulate(const Scenario& scenario, sim::Backe
 }
 
 std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
-  // Held back until there is a scan: of what is no recording at all, one message says more than twenty.
+  // Held back until there is a scan: where there is none, the first says enough.
   struct Warnings {
     int num = 0;
     bool is_open = false;
@@ -88,7 +88,13 @@ std::unique_ptr<hw::ScanReader> open_log(const LaserSpec& spec) {
   replay.validate();
   hw::RecordingOptions options = spec.log;
   options.is_interrupted = is_interrupted;
-  auto reader = hw::open_recording(spec.target, options, report);
+  std::unique_ptr<hw::ScanReader> reader;
+  try {
+    reader = hw::open_recording(spec.target, options, report);
+  } catch (const InputError& error) {
+    if (warnings->held.empty()) throw;
+    throw InputError(fmt::format("{}; the first: {}", error.what(), warnings->held.front()));
+  }
   warnings->is_open = true;
   tell(warnings->held);
   if (!replay.speed && replay.from_s == 0.0 && std::isinf(replay.to_s)) return reader;

@@ -17,7 +17,13 @@ Recorder::Recorder(const std::optional<std::filesystem::path>& path, const hw::R
 }
 
 void Recorder::see(const LaserScan& scan, const Features& features, const RangeSensor& sensor) {
-  if (writer_) writer_->write({.scan = scan, .features = &features, .truth = sensor.truth()});
+  if (!writer_) return;
+  try {
+    writer_->write({.scan = scan, .features = &features, .truth = sensor.truth()});
+  } catch (...) {
+    writer_.reset();  // a recording with a hole must not get its name
+    throw;
+  }
 }
 
 void Recorder::finish() {

@@ -24,7 +24,7 @@ class Recorder {
   /// Records the scan that the sensor gave last, with its truth where there is one.
   void see(const LaserScan& scan, const Features& features, const RangeSensor& sensor);
 
-  /// Ends the recording and gives the file its name.
+  /// Ends the recording and gives the file its name; not one of which a part could not be written.
   void finish();
 
  private:

@@ -195,6 +195,8 @@ class Reporter {
     if (num_runs_ > 1) progress_.show(static_cast<std::int64_t>(results_.size()));
   }
 
+  bool has_any() const { return !results_.empty(); }
+
   ExitCode finish() {
     if (prints() && num_runs_ > 1) print((command_.tables ? "\n" : "") + run_summary(results_, num_runs_));
     if (json_) {
@@ -293,27 +295,35 @@ ExitCode execute(const RunCommand& command) {
   check_tasks(command, tasks);
   Reporter reporter(command, static_cast<int>(tasks.size()));
   std::vector<std::optional<RunAndPictures>> runs(tasks.size());
-  do_in_order(
-      {.num_jobs = static_cast<int>(tasks.size()),
-       .num_workers = num_workers(command),
-       .work =
-           [&](int i) {
-             if (is_interrupted()) return;
-             Task& task = tasks[i];
-             if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
-             FeatureDetector detector(options.detector);
-             const AnalystOptions analysis{command.track, false, options.track, options.interpret};
-             const Processing processing{detector, analysis, preset_of(options)};
-             runs[i] = run_one(command, {task.name, *task.scenario, processing, task.out, tasks.size() == 1});
-             warn_of_missing_truth(runs[i]->result, *task.scenario);
-             task.scenario.reset();
-           },
-       .finish =
-           [&](int i) {
-             if (runs[i]) reporter.take(std::move(*runs[i]));
-             return runs[i].has_value();
-           }});
-  return reporter.finish();
+  std::exception_ptr fault;
+  try {
+    do_in_order({.num_jobs = static_cast<int>(tasks.size()),
+                 .num_workers = num_workers(command),
+                 .work =
+                     [&](int i) {
+                       if (is_interrupted()) return;
+                       Task& task = tasks[i];
+                       if (!task.scenario) task.scenario = open_with_seed(task, settings.scenario);
+                       FeatureDetector detector(options.detector);
+                       const AnalystOptions analysis{command.track, false, options.track, options.interpret};
+                       const Processing processing{detector, analysis, preset_of(options)};
+                       runs[i] = run_one(
+                           command, {task.name, *task.scenario, processing, task.out, tasks.size() == 1});
+                       warn_of_missing_truth(runs[i]->result, *task.scenario);
+                       task.scenario.reset();
+                     },
+                 .finish =
+                     [&](int i) {
+                       if (runs[i]) reporter.take(std::move(*runs[i]));
+                       return runs[i].has_value();
+                     }});
+  } catch (...) {
+    if (!reporter.has_any()) throw;
+    fault = std::current_exception();
+  }
+  const ExitCode code = reporter.finish();
+  if (fault) std::rethrow_exception(fault);
+  return code;
 }
 
 Usage run_usage() {

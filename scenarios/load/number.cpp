@@ -10,8 +10,9 @@
 namespace scanbed::scenarios {
 namespace {
 
-// "0", "0.5" and "12" are fine; "012" is not, as half of the world reads it as octal.
+// "0", "0.5", ".5" and "12" are fine; "012" is not, as half of the world reads it as octal.
 bool starts_like_a_number(std::string_view digits) {
+  if (digits.size() > 1 && digits[0] == '.') return is_digit(digits[1]);
   if (digits.empty() || !is_digit(digits[0])) return false;
   return !(digits[0] == '0' && digits.size() > 1 && is_digit(digits[1]));
 }

@@ -29,12 +29,15 @@ class TreeBuilder final : public YAML::EventHandler {
       : source_(std::move(source)), limits_(limits) {}
 
   TreeNode take_root() { return std::move(root_); }
+  /// Where the last scalar is one in quotes: its place.
+  const std::optional<Place>& last_quotation() const { return last_quotation_; }
   Place place(const YAML::Mark& mark) const { return {source_, mark.line + 1, mark.column + 1}; }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    last_quotation_.reset();
     TreeNode node;
     node.place = place(mark);
     finish(std::move(node), anchor);
@@ -59,6 +62,7 @@ class TreeBuilder final : public YAML::EventHandler {
     node.place = place(mark);
     node.text = value;
     node.is_quoted = tag == "!";
+    last_quotation_ = node.is_quoted ? std::optional(node.place) : std::nullopt;
     finish(std::move(node), anchor);
   }
 
@@ -144,6 +148,7 @@ class TreeBuilder final : public YAML::EventHandler {
   std::shared_ptr<const Source> source_;
   YamlLimits limits_;
   TreeNode root_;
+  std::optional<Place> last_quotation_;
   std::vector<Unfinished> stack_;
   std::map<YAML::anchor_t, TreeNode> anchors_;
   std::size_t num_nodes_ = 0;
@@ -168,6 +173,17 @@ std::string read_text(const std::filesystem::path& path, const YamlLimits& limit
   return text;
 }
 
+// The parser takes the end of a file for that of an open quotation; the end of a document it does not.
+void check_end(std::string_view text, const Place& quotation, const YamlLimits& limits) {
+  std::istringstream stream{std::string(text) + "\n...\n"};
+  TreeBuilder builder(quotation.source, limits);
+  try {
+    YAML::Parser(stream).HandleNextDocument(builder);
+  } catch (const YAML::Exception&) {
+    refuse(quotation, "not valid YAML: the quotation that begins here has no end");
+  }
+}
+
 TreeNode parse(std::string_view text, const std::shared_ptr<const Source>& source, const YamlLimits& limits) {
   if (text.size() > limits.max_bytes) refuse_size(source->name, limits);
   std::istringstream stream{std::string(text)};
@@ -180,6 +196,7 @@ TreeNode parse(std::string_view text, const std::shared_ptr<const Source>& sourc
     if (parser.HandleNextDocument(second)) {
       refuse(second.take_root().place, "a second document; a file holds one");
     }
+    if (builder.last_quotation()) check_end(text, *builder.last_quotation(), limits);
     return root;
   } catch (const YAML::Exception& error) {
     refuse(builder.place(error.mark), "not valid YAML: " + error.msg);

@@ -190,7 +190,7 @@ std::string run_summary(std::span<const RunResult> results, int num_runs) {
   const std::vector<RunResult> runs = complete(results);
   std::string out = summary_of_complete(runs);
   if (static_cast<int>(runs.size()) < num_runs) {
-    append_format(out, "interrupted after {} of {} runs\n", runs.size(), num_runs);
+    append_format(out, "stopped after {} of {} runs\n", runs.size(), num_runs);
   }
   return out;
 }

@@ -76,7 +76,6 @@ class Reader {
       if (const auto value = table.take(last_group)) read_group(last_group, *value);
     }
     table.finish();
-    validate();
   }
 
  private:
@@ -121,20 +120,23 @@ class Reader {
     return found == given_.end() ? nullptr : &*found;
   }
 
-  void validate() {
-    try {
-      options_.validate();
-    } catch (const InputError& error) {
-      const std::string message = error.what();
-      const Given* given = find(message.substr(0, message.find(':')));
-      if (given == nullptr) throw;
-      refuse(given->place, message);
-    }
-  }
-
   AnalysisOptions& options_;
   std::vector<Given> given_;
 };
+
+// When all are read, since what must fit together must not hang on their order.
+void validate(const AnalysisOptions& options, const std::vector<Given>& given) {
+  try {
+    options.validate();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::string path = message.substr(0, message.find(':'));
+    const auto last =
+        std::find_if(given.rbegin(), given.rend(), [&](const Given& one) { return one.path == path; });
+    if (last == given.rend()) throw;
+    refuse(last->place, message);
+  }
+}
 
 TreeNode read_config(const std::filesystem::path& path) {
   TreeNode root = read_yaml(path);
@@ -218,6 +220,9 @@ DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const
     set_path(root, setting);
     read(root, set);
   }
+  std::vector<Given> all = in_file;
+  all.insert(all.end(), set.begin(), set.end());
+  validate(options, all);
   // In the end, since a later setting may choose who reads an earlier one.
   std::vector<IdleOption> idle;
   list_idle(in_file, options, {}, idle);

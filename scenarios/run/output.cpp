@@ -22,15 +22,17 @@ bool is_regular(int descriptor) {
 
 }  // namespace
 
-Output::Output(const std::optional<fs::path>& path) : descriptor_(STDOUT_FILENO) {
+Output::Output(const std::optional<fs::path>& path, Unfinished unfinished) : descriptor_(STDOUT_FILENO) {
   if (path && *path != "-") {
-    file_.emplace(*path, hw::NewFile::Unfinished::kRemoved);
+    file_.emplace(*path, unfinished);
     descriptor_ = file_->descriptor();
   }
   is_buffered_ = is_regular(descriptor_);
 }
 
-void Output::fail(int error) const {
+void Output::fail(int error) {
+  has_failed_ = true;
+  buffer_.clear();
   if (file_) file_->fail(error);
   throw OutputFault(fmt::format("standard output: cannot be written: {}", std::strerror(error)));
 }
@@ -59,7 +61,7 @@ bool Output::flush() {
 
 bool Output::commit() {
   flush();
-  if (file_) file_->finish();
+  if (file_ && !has_failed_) file_->finish();
   return !reader_gone_;
 }
 

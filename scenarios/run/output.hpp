@@ -17,9 +17,12 @@ using OutputFault = hw::WriteFault;
 /// hw::NewFile).
 class Output {
  public:
+  using Unfinished = hw::NewFile::Unfinished;
+
   /// @param path  empty or "-" is standard output.
   /// @throws OutputFault where it cannot be made.
-  explicit Output(const std::optional<std::filesystem::path>& path);
+  explicit Output(const std::optional<std::filesystem::path>& path,
+                  Unfinished unfinished = Unfinished::kRemoved);
 
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -28,18 +31,19 @@ class Output {
   /// @throws OutputFault where writing fails otherwise.
   bool write(std::string_view text);
 
-  /// Writes what is left and gives the file its name; without it, nothing is left of a file. Same results as
-  /// write().
+  /// Writes what is left and gives the file its name; not one of which a part could not be written. Same
+  /// results as write().
   bool commit();
 
  private:
   bool flush();
-  [[noreturn]] void fail(int error) const;
+  [[noreturn]] void fail(int error);
 
   std::optional<hw::NewFile> file_;  // empty: standard output
   int descriptor_;
   bool is_buffered_ = false;  // a file; pipes and terminals get each write at once
   bool reader_gone_ = false;
+  bool has_failed_ = false;
   std::string buffer_;
 };
 

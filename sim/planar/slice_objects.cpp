@@ -9,9 +9,10 @@ SliceObjects::SliceObjects(const World& world) {
   for (const Solid& solid : world.solids) {
     if (is_at_height(solid, world.robot.laser_height_m)) add_solid(solid);
   }
-  first_leg_ = static_cast<int>(objects_.size());
   for (const Walker& walker : world.walkers) {
-    leg_radius_m_.push_back(walker.leg_radius_m);
+    const bool in_plane = world.robot.laser_height_m <= walker.height_m;
+    left_leg_object_.push_back(in_plane ? static_cast<int>(objects_.size()) : kNoObject);
+    if (!in_plane) continue;
     for (const char* leg : {".left_leg", ".right_leg"}) {
       objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
     }
@@ -45,9 +46,9 @@ void SliceObjects::slice_at(const WorldState& state, PlanarSlice& slice) const {
   slice.segments.assign(still_.segments.begin(), still_.segments.end());
   slice.discs.assign(still_.discs.begin(), still_.discs.end());
   for (const WalkerState& walker : state.walkers) {
-    if (!walker.present) continue;
-    const double radius_m = leg_radius_m_[walker.walker];
-    const int left = first_leg_ + 2 * walker.walker;
+    const int left = left_leg_object_[walker.walker];
+    if (!walker.present || left == kNoObject) continue;
+    const double radius_m = objects_[left].radius_m;
     slice.discs.push_back({walker.left_leg_m, radius_m, left});
     slice.discs.push_back({walker.right_leg_m, radius_m, left + 1});
   }

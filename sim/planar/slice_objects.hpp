@@ -23,7 +23,8 @@ struct SliceObject {
 /// The objects of a world in the laser's plane, and the slice at any of its states.
 ///
 /// Each object is one segment or one disc. They count in the order of World::solids (edges as outline()
-/// gives them), then left and right leg of each walker, then the towed cylinders that reach up to the laser.
+/// gives them), then left and right leg of each walker, then the towed cylinders; only what reaches up to the
+/// laser. Between hips and head a walker still has two legs.
 class SliceObjects {
  public:
   /// @pre the world validates.
@@ -39,9 +40,9 @@ class SliceObjects {
 
   std::vector<SliceObject> objects_;
   PlanarSlice still_;
-  std::vector<double> leg_radius_m_;  ///< of each walker
-  std::vector<int> tow_object_;       ///< of each tow; kNoObject where the laser passes above it
-  int first_leg_ = 0;
+  // kNoObject where the laser passes above.
+  std::vector<int> left_leg_object_;  ///< of each walker; its right leg follows
+  std::vector<int> tow_object_;       ///< of each tow
 };
 
 }  // namespace scanbed::sim

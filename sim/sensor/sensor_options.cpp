@@ -41,7 +41,7 @@ void check_times(const SensorOptions& s) {
   require(s.scan_period_s >= sweep_s * (1.0 - 1e-9) && s.scan_period_s <= 3600.0, "sensor.scan_period_s",
           s.scan_period_s,
           number_text(sweep_s) + " (" + std::to_string(s.num_rotations()) + " rotations) to 3600");
-  require_in(s.sectors_per_rotation, 1, 64, "sensor.sectors_per_rotation");
+  require(s.max_sector_s > 0.0 && s.max_sector_s <= 10.0, "sensor.max_sector_s", s.max_sector_s, "(0, 10]");
 }
 
 void check_ranges(const SensorOptions& s) {

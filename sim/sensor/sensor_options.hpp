@@ -80,8 +80,8 @@ struct SensorOptions {
   DropoutOptions dropout;
   DazzleOptions dazzle;
   EffectScales effects;
-  int sectors_per_rotation = 3;  ///< while things move, a rotation is cast in so many pieces, each at the
-                                 ///< time of its middle beam; used with effects.sweep only
+  double max_sector_s = 0.0025;  ///< while things move, beams measured within so much time are cast together,
+                                 ///< at the time of their middle; used with effects.sweep only
 
   int num_beams() const;
   int num_rotations() const;     ///< interlaced into one scan: one per degree / step, or 1 without interlace

@@ -62,14 +62,25 @@ struct Piece {
   double offset_s;  ///< after the scan's time
 };
 
+// However slow the mirror, so many beams of a rotation need no times of their own.
+constexpr int kMaxSectors = 256;
+
+// How many pieces of a rotation are cast, each at its own time.
+int num_sectors_of(const SensorOptions& sensor, int num_beams) {
+  const double sweep_s = num_beams * sensor.beam_period_s();
+  const double num_sectors = std::ceil(sweep_s / sensor.max_sector_s);
+  return static_cast<int>(
+      std::clamp(num_sectors, 1.0, static_cast<double>(std::min(num_beams, kMaxSectors))));
+}
+
 // In the order of time. In a world that stands still one piece says all.
 std::vector<Piece> pieces_of(const SensorOptions& sensor, const ScanGeometry& geometry, bool world_moves) {
   if (!world_moves) return {{{0, 1, geometry.num_beams}, 0.0}};
   const BeamTiming& timing = geometry.timing;
-  const int num_sectors = timing.step_s > 0.0 ? sensor.sectors_per_rotation : 1;
   std::vector<Piece> pieces;
   for (int rotation = 0; rotation < timing.num_rotations; ++rotation) {
     const int num_beams = (geometry.num_beams - rotation + timing.num_rotations - 1) / timing.num_rotations;
+    const int num_sectors = num_sectors_of(sensor, num_beams);
     for (int sector = 0; sector < num_sectors; ++sector) {
       const int first = sector * num_beams / num_sectors;
       const int behind = (sector + 1) * num_beams / num_sectors;

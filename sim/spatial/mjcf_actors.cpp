@@ -18,6 +18,13 @@ pugi::xml_node add_mocap_body(pugi::xml_node worldbody, const std::string& name)
   return MjcfElement(worldbody, "body").set("name", name).set("mocap", "true").node();
 }
 
+// For what goes anywhere and never turns: by x, y and z.
+void add_slides(pugi::xml_node body) {
+  MjcfElement(body, "joint").set("type", "slide").set("axis", {1.0, 0.0, 0.0});
+  MjcfElement(body, "joint").set("type", "slide").set("axis", {0.0, 1.0, 0.0});
+  MjcfElement(body, "joint").set("type", "slide").set("axis", {0.0, 0.0, 1.0});
+}
+
 struct Capsule {
   Eigen::Vector3d from_m;
   Eigen::Vector3d to_m;
@@ -127,9 +134,7 @@ void add_walker(const Walker& walker, int index, pugi::xml_node worldbody) {
 }
 
 double rope_height_m(const Tow& tow, const Walker& walker) {
-  // Pulled at height h with mu m g, a cylinder tips about its edge where mu h > r; the rest is reserve.
-  const double steady_m = tow.friction > 0.0 ? 0.6 * tow.radius_m / tow.friction : walker.leg_length_m;
-  return std::min({0.7 * tow.height_m, walker.leg_length_m, steady_m});
+  return std::min(0.7 * tow.height_m, walker.leg_length_m);
 }
 
 void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pugi::xml_node tendon) {
@@ -137,7 +142,7 @@ void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pug
   const double knot_m = rope_height_m(tow, walker);
   const pugi::xml_node cylinder =
       MjcfElement(worldbody, "body").set("name", tow_name(tow.id, "cylinder")).node();
-  MjcfElement(cylinder, "freejoint");
+  add_slides(cylinder);
   MjcfElement(cylinder, "geom")
       .set("type", "cylinder")
       .set_role(kSeenPulled)
@@ -154,9 +159,7 @@ void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pug
       .set("pos", {0.0, 0.0, 0.0})
       .set("mass", {kRopeEnd_kg})
       .set("diaginertia", {1.0, 1.0, 1.0});
-  MjcfElement(hand, "joint").set("type", "slide").set("axis", {1.0, 0.0, 0.0});
-  MjcfElement(hand, "joint").set("type", "slide").set("axis", {0.0, 1.0, 0.0});
-  MjcfElement(hand, "joint").set("type", "slide").set("axis", {0.0, 0.0, 1.0});
+  add_slides(hand);
   MjcfElement(hand, "site").set("name", end).set("size", {0.012});
   const pugi::xml_node rope = MjcfElement(tendon, "spatial")
                                   .set("name", tow_name(tow.id, "rope"))

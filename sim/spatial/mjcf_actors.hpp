@@ -27,8 +27,7 @@ inline double tendon_m(const Tow& tow) {
   return tow.rope_m + tow.radius_m;
 }
 
-/// Above the floor, of both ends of the rope: within reach of the walker's hands, on the cylinder, and so low
-/// that friction does not tip it over.
+/// Above the floor, of both ends of the rope: on the cylinder, and within reach of the walker's hands.
 double rope_height_m(const Tow& tow, const Walker& walker);
 
 }  // namespace scanbed::sim

@@ -124,11 +124,8 @@ void ActorPoser::put_scripted(const WorldState& state, mjData& data) const {
   }
 }
 
-void ActorPoser::put_tow(int tow, const Isometry3d& X_WB, mjData& data) const {
-  const Quaterniond q_WB(X_WB.linear());
-  mjtNum* qpos = data.qpos + tows_[tow].cylinder_qpos;
-  Eigen::Map<Vector3d>{qpos} = X_WB.translation();
-  Eigen::Map<Eigen::Vector4d>(qpos + 3) << q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z();
+void ActorPoser::put_tow(int tow, const Vector3d& p_WB, mjData& data) const {
+  Eigen::Map<Vector3d>(data.qpos + tows_[tow].cylinder_qpos) = p_WB;
 }
 
 void ActorPoser::put_rope_end(int tow, const Vector3d& p_WE, mjData& data) const {
@@ -141,9 +138,10 @@ void ActorPoser::put(const WorldState& state, mjData& data) const {
     const Pull& pull = tows_[i];
     const TowState* tow = present_of(state.tows, pull.walker);
     const WalkerState* walker = present_of(state.walkers, pull.walker);
-    put_tow(i, tow != nullptr ? upright({tow->center_m, 0.0}) : absent(), data);
+    const Vector3d absent_m(0.0, 0.0, kAbsent_m);
+    put_tow(i, tow != nullptr ? lift(tow->center_m, 0.0) : absent_m, data);
     // Without its walker, or without its cylinder, a rope lies rolled up where no one sees it.
-    Vector3d end_m(0.0, 0.0, kAbsent_m);
+    Vector3d end_m = absent_m;
     if (tow != nullptr) end_m = lift(tow->center_m, pull.rope_height_m);
     if (tow != nullptr && walker != nullptr) end_m = lift(walker->X_WP.p_m, pull.rope_height_m);
     put_rope_end(i, end_m, data);

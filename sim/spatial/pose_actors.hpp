@@ -21,15 +21,14 @@ class ActorPoser {
   ActorPoser(const World& world, const mjModel& model);
 
   /// Writes mocap poses and joint positions; actors that `state` does not name, or that are not present, go
-  /// to z = kAbsent_m. What follows from them is not computed (see pose_actors). Towed cylinders stand
-  /// upright.
+  /// to z = kAbsent_m. What follows from them is not computed (see pose_actors).
   void put(const WorldState& state, mjData& data) const;
 
   /// Only what is scripted, without the towed cylinders and ropes: for physics.
   void put_scripted(const WorldState& state, mjData& data) const;
 
-  /// Tow i of WorldState::tows alone. @param X_WB  of the middle of its underside.
-  void put_tow(int tow, const Eigen::Isometry3d& X_WB, mjData& data) const;
+  /// Tow i of WorldState::tows alone. @param p_WB  the middle of its underside.
+  void put_tow(int tow, const Eigen::Vector3d& p_WB, mjData& data) const;
 
   /// Where the rope of tow i ends at its walker, or out of sight.
   void put_rope_end(int tow, const Eigen::Vector3d& p_WE, mjData& data) const;

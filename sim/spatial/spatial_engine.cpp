@@ -38,10 +38,10 @@ struct SpatialEngine::Impl {
   SpatialSlicer slicer;
   std::optional<TowPhysics> physics;  ///< only where something is towed
   std::int64_t num_steps = 0;
-  WorldState script_state;                ///< at the last step
-  std::vector<Eigen::Isometry3d> before;  ///< X_WB of the towed cylinders at the last step but one
-  std::vector<Eigen::Isometry3d> behind;  ///< at the last step
-  std::vector<Eigen::Isometry3d> tows;    ///< at the state's time
+  WorldState script_state;              ///< at the last step
+  std::vector<Eigen::Vector3d> before;  ///< p_WB of the towed cylinders at the last step but one
+  std::vector<Eigen::Vector3d> behind;  ///< at the last step
+  std::vector<Eigen::Vector3d> tows;    ///< at the state's time
   WorldState state;
   PlanarSlice slice;
 };
@@ -57,8 +57,8 @@ SpatialEngine::Impl::Impl(const World& description)
   if (script.has_tows()) {
     physics.emplace(world, *model, state);
     script_state = state;
-    before = physics->poses();
-    behind = physics->poses();
+    before = physics->places();
+    behind = physics->places();
     place_tows();
   }
   look();
@@ -69,7 +69,7 @@ void SpatialEngine::Impl::step_physics() {
   script.follow(static_cast<double>(num_steps) * TowPhysics::kStep_s, script_state);
   physics->step_to(script_state);
   std::swap(before, behind);
-  behind = physics->poses();
+  behind = physics->places();
 }
 
 void SpatialEngine::Impl::place_tows() {
@@ -79,18 +79,10 @@ void SpatialEngine::Impl::place_tows() {
   state.tows.resize(behind.size());
   for (std::size_t i = 0; i < behind.size(); ++i) {
     const int walker = physics->walker(static_cast<int>(i));
-    const Eigen::Vector3d way_m = behind[i].translation() - before[i].translation();
+    const Eigen::Vector3d way_m = behind[i] - before[i];
     // A cylinder that has just appeared did not fly in from where the absent are kept.
-    const bool jumped = way_m.squaredNorm() > 1.0;
-    if (!jumped) {
-      const Eigen::Quaterniond to(behind[i].linear());
-      const Eigen::Quaterniond from(before[i].linear());
-      tows[i].translation() -= back * way_m;
-      tows[i].linear() = to.slerp(back, from).toRotationMatrix();
-    }
-    const double half_m = 0.5 * world.walkers[walker].tow->height_m;
-    state.tows[i] = {walker, state.walkers[walker].present,
-                     (tows[i] * Eigen::Vector3d(0.0, 0.0, half_m)).head<2>()};
+    if (way_m.squaredNorm() <= 1.0) tows[i] -= back * way_m;
+    state.tows[i] = {walker, state.walkers[walker].present, tows[i].head<2>()};
   }
 }
 

@@ -13,7 +13,6 @@
 namespace scanbed::sim {
 namespace {
 
-using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 // High above everything: below the floor a body would be in contact with it.
@@ -25,11 +24,9 @@ int id_of(const mjModel& model, int type, const std::string& name) {
   return id;
 }
 
-Isometry3d behind(const WalkerState& state, double distance_m) {
+Vector3d behind(const WalkerState& state, double distance_m) {
   const Eigen::Vector2d p_WB = state.X_WP * Eigen::Vector2d(-distance_m, 0.0);
-  Isometry3d X_WB = Isometry3d::Identity();
-  X_WB.translation() << p_WB, 0.0;
-  return X_WB;
+  return {p_WB.x(), p_WB.y(), 0.0};
 }
 
 }  // namespace
@@ -61,7 +58,7 @@ void TowPhysics::appear(int tow, const WalkerState& state) {
   pull.end_m << state.X_WP.p_m, poser_.rope_height_m(tow);
   model_.tendon_limited[pull.tendon] = 1;
   poser_.put_tow(tow, behind(state, pull.tendon_m), *data_);
-  Eigen::Map<Eigen::Matrix<double, 6, 1>>(data_->qvel + pull.cylinder_qvel).setZero();
+  Eigen::Map<Vector3d>(data_->qvel + pull.cylinder_qvel).setZero();
 }
 
 // Held where it is, for it would fall.
@@ -69,11 +66,10 @@ void TowPhysics::stay_away(int tow) {
   Pull& pull = pulls_[tow];
   pull.present = false;
   model_.tendon_limited[pull.tendon] = 0;
-  Isometry3d X_WB = Isometry3d::Identity();
-  X_WB.translation().z() = kAway_m * (tow + 1);
-  poser_.put_tow(tow, X_WB, *data_);
-  poser_.put_rope_end(tow, X_WB.translation(), *data_);
-  Eigen::Map<Eigen::Matrix<double, 6, 1>>(data_->qvel + pull.cylinder_qvel).setZero();
+  const Vector3d away_m(0.0, 0.0, kAway_m * (tow + 1));
+  poser_.put_tow(tow, away_m, *data_);
+  poser_.put_rope_end(tow, away_m, *data_);
+  Eigen::Map<Vector3d>(data_->qvel + pull.cylinder_qvel).setZero();
   Eigen::Map<Vector3d>(data_->qvel + pull.end_qvel).setZero();
 }
 
@@ -106,16 +102,12 @@ void TowPhysics::step_to(const WorldState& next) {
   }
 }
 
-std::vector<Isometry3d> TowPhysics::poses() const {
-  std::vector<Isometry3d> poses;
+std::vector<Vector3d> TowPhysics::places() const {
+  std::vector<Vector3d> places;
   for (const Pull& pull : pulls_) {
-    const mjtNum* qpos = data_->qpos + pull.cylinder_qpos;
-    Isometry3d X_WB = Isometry3d::Identity();
-    X_WB.translation() = Eigen::Map<const Vector3d>{qpos};
-    X_WB.linear() = Eigen::Quaterniond(qpos[3], qpos[4], qpos[5], qpos[6]).normalized().toRotationMatrix();
-    poses.push_back(X_WB);
+    places.emplace_back(Eigen::Map<const Vector3d>(data_->qpos + pull.cylinder_qpos));
   }
-  return poses;
+  return places;
 }
 
 }  // namespace scanbed::sim

@@ -3,7 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <vector>
 
 #include "sim/engine/physics_step.hpp"
@@ -14,8 +14,9 @@
 
 namespace scanbed::sim {
 
-/// Towed cylinders in space: free bodies with weight that stand on the floor, rub on it, may tip over, and
-/// are pulled by limited tendons. Solids, the robot and the walkers' shanks are in their way.
+/// Towed cylinders in space: bodies with weight that stand on the floor, rub on it and are pulled by limited
+/// tendons. Solids, the robot and the walkers' shanks are in their way. They stay upright, as truth and the
+/// planar engine have them.
 class TowPhysics {
  public:
   static constexpr double kStep_s = 1.0 / kPhysicsSteps_per_s;
@@ -29,8 +30,8 @@ class TowPhysics {
   /// @throws SensorFault (kSimulator) where the physics diverges.
   void step_to(const WorldState& next);
 
-  /// X_WB of the middle of each underside; far above the world where it is absent.
-  std::vector<Eigen::Isometry3d> poses() const;
+  /// p_WB of the middle of each underside; far above the world where it is absent.
+  std::vector<Eigen::Vector3d> places() const;
   int walker(int tow) const { return pulls_[tow].walker; }
 
  private:

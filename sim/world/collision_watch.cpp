@@ -12,6 +12,11 @@ using Eigen::Vector2d;
 
 constexpr double kSameMeeting_s = 1.0;
 constexpr int kRobot = 0;
+// A rope stretched by so much pulls at a cylinder that something holds; what it then touches does.
+constexpr double kStuck_m = 0.15;
+constexpr double kTouches_m = 0.05;  // where walls have their thickness, too
+// By so much, soft contacts let a cylinder into what it only rubs along.
+constexpr double kRubs_m = 0.03;
 
 bool overlap(const Vector2d& a_m, const Vector2d& b_m, double radii_m) {
   return (a_m - b_m).squaredNorm() < radii_m * radii_m;
@@ -51,13 +56,13 @@ CollisionWatch::CollisionWatch(const World& world) : robot_radius_m_(world.robot
   }
   for (const Walker& walker : world.walkers) {
     names_.push_back(walker.tow ? walker.tow->id : "");
-    tow_radius_m_.push_back(walker.tow ? walker.tow->radius_m : 0.0);
+    tows_.push_back(walker.tow.value_or(Tow{}));
   }
   const double laser_height_m = world.robot.laser_height_m;
   for (const Solid& solid : world.solids) {
     const bool stops_robot = solid.bottom_m < laser_height_m && solid.top_m > 0.0;
     obstacles_.push_back({static_cast<int>(names_.size()), ShapeOutline(solid.shape), stops_robot,
-                          is_at_height(solid, laser_height_m)});
+                          is_at_height(solid, laser_height_m), solid.bottom_m, solid.top_m});
     names_.push_back(solid.id);
   }
 }
@@ -84,9 +89,26 @@ void CollisionWatch::look_at_robot(const WorldState& state) {
     }
   }
   for (const TowState& tow : state.tows) {
-    if (tow.present && overlap(center_m, tow.center_m, robot_radius_m_ + tow_radius_m_[tow.walker])) {
-      meet(kRobot, 1 + static_cast<int>(state.walkers.size()) + tow.walker);
+    if (tow.present && overlap(center_m, tow.center_m, robot_radius_m_ + tows_[tow.walker].radius_m)) {
+      meet(kRobot, thing_of(tow));
     }
+  }
+}
+
+int CollisionWatch::thing_of(const TowState& tow) const {
+  return 1 + static_cast<int>(tows_.size()) + tow.walker;
+}
+
+// The planar engine holds a cylinder that the script pulls into something, the spatial one may pull it
+// through.
+void CollisionWatch::look_at_tow(const TowState& tow, const WalkerState& walker) {
+  const Tow& what = tows_[tow.walker];
+  const double pulled_m = (walker.X_WP.p_m - tow.center_m).norm() - what.rope_m - what.radius_m;
+  const double reach_m = what.radius_m + (pulled_m > kStuck_m ? kTouches_m : -kRubs_m);
+  for (const Obstacle& obstacle : obstacles_) {
+    const bool is_in_the_way = obstacle.bottom_m < what.height_m && obstacle.top_m > 0.0;
+    if (is_in_the_way && overlap(obstacle.outline, tow.center_m, reach_m))
+      meet(thing_of(tow), obstacle.thing);
   }
 }
 
@@ -113,6 +135,9 @@ void CollisionWatch::look(const WorldState& state) {
   look_at_robot(state);
   for (std::size_t i = 0; i < state.walkers.size(); ++i) {
     if (state.walkers[i].present) look_at_legs(state, i);
+  }
+  for (const TowState& tow : state.tows) {
+    if (tow.present) look_at_tow(tow, state.walkers[tow.walker]);
   }
 }
 

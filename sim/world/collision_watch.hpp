@@ -16,7 +16,7 @@ inline constexpr double kBetweenLooks_s = 0.05;  ///< nothing moves far in that 
 /// Two things that the script takes into each other, and on through both.
 struct Collision {
   double time_s = 0.0;  ///< when they were first seen to meet
-  std::string first;    ///< who moves: "robot", or a walker's id
+  std::string first;    ///< who moves: "robot", or a walker's or a towed cylinder's id
   std::string second;   ///< id of a solid, a walker or a towed cylinder
 
   friend bool operator==(const Collision&, const Collision&) = default;
@@ -26,8 +26,8 @@ struct Collision {
 std::string to_string(const Collision& collision);
 
 /// Looks for what the script of robot and walkers violates: the robot in a solid, in a leg or in a towed
-/// cylinder; a leg in a solid at the laser's height, or in another walker's leg. Legs that push a cylinder
-/// violate nothing.
+/// cylinder; a leg in a solid at the laser's height, or in another walker's leg; a towed cylinder that is
+/// pulled into a solid where it gets stuck. Legs that push a cylinder violate nothing.
 ///
 /// Two things that part for less than a second meet once: a walker's legs swing in and out.
 class CollisionWatch {
@@ -48,6 +48,7 @@ class CollisionWatch {
     ShapeOutline outline;
     bool stops_robot;
     bool stops_legs;
+    double bottom_m, top_m;
   };
   /// Of two things, as numbers into names_.
   struct Meeting {
@@ -58,11 +59,13 @@ class CollisionWatch {
 
   void look_at_robot(const WorldState& state);
   void look_at_legs(const WorldState& state, std::size_t walker);
+  void look_at_tow(const TowState& tow, const WalkerState& walker);
+  int thing_of(const TowState& tow) const;
   void meet(int first, int second);
 
   double robot_radius_m_;
   std::vector<double> leg_radius_m_;  ///< of each walker
-  std::vector<double> tow_radius_m_;  ///< of each walker; 0 where it tows nothing
+  std::vector<Tow> tows_;             ///< of each walker; any where it tows nothing
   std::vector<std::string> names_;    ///< the robot, walkers, what each walker tows, solids
   std::vector<Obstacle> obstacles_;
   std::vector<Meeting> meetings_;

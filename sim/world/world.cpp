@@ -166,7 +166,7 @@ void check_robot(const Robot& robot) {
   validate_drive(robot);
 }
 
-// Ids as truth will name them, so that "hall.1" cannot be both a wall of hall and a column.
+// Ids as truth will name them in either engine, so that "hall.1" cannot be both a wall of hall and a column.
 class Ids {
  public:
   void add(const std::string& id, const std::string& whose) {
@@ -182,18 +182,22 @@ class Ids {
 
 void check_ids(const World& world) {
   Ids ids;
+  ids.add("floor", "the floor");
   for (const Solid& solid : world.solids) {
     ids.add(solid.id, quoted("solid", solid.id));
+    ids.add(solid.id + ".top", quoted("solid", solid.id));
     const std::size_t num_edges = outline(solid.shape).size();
     for (std::size_t i = 0; i < num_edges; ++i) {
       ids.add(solid.id + "." + std::to_string(i), quoted("solid", solid.id));
     }
   }
   for (const Walker& walker : world.walkers) {
-    for (const char* part : {"", ".left_leg", ".right_leg"}) {
+    for (const char* part : {"", ".left_leg", ".right_leg", ".body"}) {
       ids.add(walker.id.empty() ? "" : walker.id + part, quoted("walker", walker.id));
     }
-    if (walker.tow) ids.add(walker.tow->id, quoted("towed cylinder", walker.tow->id));
+    if (!walker.tow) continue;
+    ids.add(walker.tow->id, quoted("towed cylinder", walker.tow->id));
+    ids.add(walker.tow->id + ".top", quoted("towed cylinder", walker.tow->id));
   }
 }
 

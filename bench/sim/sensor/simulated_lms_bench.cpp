@@ -53,7 +53,7 @@ BENCHMARK(full_lms200_scan_without_spot);
 
 void full_lms200_scan_by_sectors(benchmark::State& state) {
   SensorOptions sensor = sensor_preset("sick_lms200");
-  sensor.sectors_per_rotation = static_cast<int>(state.range(0));
+  sensor.max_sector_s = 0.5 * sensor.rotation_s / static_cast<double>(state.range(0)) + 1e-4;
   run_scans(state, bench::hall_world(), sensor);
 }
 BENCHMARK(full_lms200_scan_by_sectors)->Arg(1)->Arg(2)->Arg(3)->Arg(6);

@@ -30,6 +30,14 @@ TEST(BagWriterTest, RefusesATimeThatRosCannotHold) {
   EXPECT_THROW(writer->write({.scan = scan}), InputError);
 }
 
+TEST(BagWriterTest, EachChunkIsReadableWithoutTheOthers) {
+  std::string bytes = recorded("x.bag", made_scans(10));
+  bytes[4117 + 1000] ^= 0x10;  // in the first of three chunks: four scans
+  const Reading reading = read_all(bytes, "x.bag");
+  ASSERT_EQ(reading.scans.size(), 6U) << reading.error;
+  EXPECT_EQ(reading.scans[0].range_m[0], made_scan(4).range_m[0]);
+}
+
 // As after kill -9: the file ends where the last chunk ended.
 TEST(BagWriterTest, ChunksOfEachSecondAreReadableBeforeTheEnd) {
   const TemporaryFolder folder;

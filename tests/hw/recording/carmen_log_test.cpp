@@ -66,7 +66,7 @@ TEST(CarmenLogTest, GivesScansInOrderAndCountsTheRest) {
 
 TEST(CarmenLogTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
   const std::string zeros(20, '\0');
-  const std::string endless = "FLASER 600000 " + std::string(3 << 20, '1');
+  const std::string endless = "FLASER 600000 " + std::string(17 << 20, '1');
   const CarmenReading reading = read_carmen(line(1) + "FLASER 3 1 x 3 0 0 0 0 0 0 1 host 0\n" + line(2) +
                                             zeros + "\n" + endless + "\n" + line(3));
   EXPECT_EQ(reading.error, "");
@@ -74,7 +74,7 @@ TEST(CarmenLogTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
   EXPECT_EQ(reading.reports,
             (std::vector<std::string>{"x.log:2: line skipped: FLASER: a reading is 'x', not a number",
                                       "x.log:4: line skipped: holds zero bytes",
-                                      "x.log:5: line skipped: longer than 1 MiB"}));
+                                      "x.log:5: line skipped: longer than 16 MiB"}));
   EXPECT_EQ(reading.counts.num_damaged_lines, 3);
 }
 

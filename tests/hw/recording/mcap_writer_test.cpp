@@ -26,6 +26,14 @@ TEST(McapWriterTest, TheSummaryIsWhereTheFooterSaysAndHasItsChecksum) {
   EXPECT_EQ(data_end.number<std::uint32_t>(), mcap_crc(0, std::string_view(bytes).substr(0, start - 13)));
 }
 
+TEST(McapWriterTest, EachChunkIsReadableWithoutTheOthers) {
+  std::string bytes = recorded("x.mcap", made_scans(10));
+  bytes[2000] ^= 0x10;  // in the first of three chunks: four scans
+  const Reading reading = read_all(bytes, "x.mcap");
+  ASSERT_EQ(reading.scans.size(), 6U) << reading.error;
+  EXPECT_EQ(reading.scans[0].range_m[0], made_scan(4).range_m[0]);
+}
+
 // As after kill -9: the file ends where the last chunk ended.
 TEST(McapWriterTest, ChunksOfEachSecondAreReadableBeforeTheEnd) {
   const TemporaryFolder folder;

@@ -224,6 +224,35 @@ TEST_F(DetectTest, CallsAFullDiskAFault) {
   EXPECT_EQ(run_program({"detect", "--laser", log(kScan), "--out", "/nowhere/o"}).exit_code, 3);
 }
 
+TEST_F(DetectTest, EndsTheRecordingWhereTheOutputFails) {
+  const std::string record = (folder_ / "r.jsonl").string();
+  const Outcome outcome =
+      run_program({"detect", "--laser", log(kScan + kScan), "--record", record}, "/dev/full");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(objects(run_program({"detect", "--laser", "log:" + record})).size(), 1U);
+}
+
+TEST_F(DetectTest, KeepsWhatFitsOnTheDisk) {
+  std::string text;
+  for (int i = 0; i < 2000; ++i) text += kScan;
+  const std::string out = (folder_ / "o.jsonl").string();
+  const std::string shell = std::string("ulimit -f 64; ") + SCANBED_PROGRAM + " detect --laser " + log(text) +
+                            " --out " + out + " 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(shell.c_str())), 3);
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_TRUE(testing::read_file(out + ".part").starts_with("{\"scan\":0"));
+}
+
+TEST_F(DetectTest, SaysWhatIsWrongWithTheFirstWhereThereIsNoScan) {
+  const Outcome outcome = run_program({"detect", "--laser", log("FLASER 3 1 x 3 0 0 0 0 0 0 1 host 0\n")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("(1 damaged"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the first: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("a.log:1: line skipped: FLASER: a reading is 'x'"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
 TEST_F(DetectTest, EndsQuietlyWhenItsReaderLeaves) {
   std::string text;
   for (int i = 0; i < 2000; ++i) text += kScan;

@@ -90,7 +90,7 @@ TEST(InterruptTest, EndsARunAfterTheScanInHandWithWhatWasDone) {
 TEST(InterruptTest, LeavesRunsThatAreCutOffOutOfTheSummary) {
   const testing::Outcome outcome = interrupted_run(SIGINT, {"--seed", "1..3", "--jobs", "2"});
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_EQ(outcome.out, "no runs\ninterrupted after 0 of 3 runs\n");
+  EXPECT_EQ(outcome.out, "no runs\nstopped after 0 of 3 runs\n");
 }
 
 TEST(InterruptTest, EndsWorkThatWaitsAtOnce) {

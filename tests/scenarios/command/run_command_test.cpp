@@ -284,6 +284,22 @@ TEST_F(RunTest, WritesItsFileAlsoWhereNobodyReadsWhatIsPrinted) {
   }
 }
 
+TEST_F(RunTest, KeepsWhatWasDoneBeforeARunThatFails) {
+  const std::string pictures = "outputs: {pictures: {top: [1]}}\n";
+  const std::string easy = scenario(kEasy + pictures);
+  const std::string hard = scenario(kHard + pictures, "h.yaml");
+  const std::string json = (folder_ / "r.json").string();
+  const std::string out = (folder_ / "p").string();
+  std::filesystem::create_directories(folder_ / "p/hard_top_1s.png");
+  const Outcome outcome = run_program({"run", easy, hard, "--out", out, "--json", json});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.err.find("hard_top_1s.png"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("stopped after 1 of 2 runs"), std::string::npos) << outcome.out;
+  const auto runs = nlohmann::json::parse(testing::read_file(json)).at("runs");
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].at("scenario"), "easy");
+}
+
 TEST_F(RunTest, KnowsBeforeItRunsWhatCannotBeWritten) {
   const Outcome outcome = run_program({"run", scenario(kEasy), "--json", "/nowhere/r.json"});
   EXPECT_EQ(outcome.exit_code, 3);

@@ -54,6 +54,17 @@ TEST(ParseYamlTest, RefusesBrokenSyntaxWithItsPlace) {
   EXPECT_TRUE(yaml_error("a: *nobody\n").starts_with("f:1:")) << yaml_error("a: *nobody\n");
 }
 
+// The library gives what it read until the file's end.
+TEST(ParseYamlTest, RefusesAQuotationWithoutEndWhereItBegins) {
+  for (const std::string quote : {"\"", "'"}) {
+    const std::string open = "c: 0\na: " + quote + "two columns\nb: 1\n";
+    EXPECT_EQ(yaml_error(open), "f:2:4: not valid YAML: the quotation that begins here has no end");
+    EXPECT_EQ(parse_yaml("a: " + quote + "two\n  lines" + quote + "\n", "f").entries[0].value.text,
+              "two lines");
+  }
+  EXPECT_EQ(parse_yaml("a: 'x'\n...\n", "f").entries.size(), 1U);
+}
+
 TEST(ParseYamlTest, RefusesWhatAScenarioNeverNeeds) {
   EXPECT_EQ(yaml_error("a: !!int 3\n"), "f:1:4: tags are not supported");
   EXPECT_EQ(yaml_error("a: !x [3]\n"), "f:1:4: tags are not supported");

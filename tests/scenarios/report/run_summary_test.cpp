@@ -106,8 +106,8 @@ TEST(RunSummaryTest, LeavesOutRunsThatWereCutOffAndSaysSo) {
   const std::string text = run_summary(results, 400);
   EXPECT_TRUE(holds_line(text, "  hall                          2 ", "  pass")) << text;
   EXPECT_EQ(text.find("missed in"), std::string::npos) << text;
-  EXPECT_TRUE(text.ends_with("known to fail\ninterrupted after 2 of 400 runs\n")) << text;
-  EXPECT_EQ(run_summary({}, 2), "no runs\ninterrupted after 0 of 2 runs\n");
+  EXPECT_TRUE(text.ends_with("known to fail\nstopped after 2 of 400 runs\n")) << text;
+  EXPECT_EQ(run_summary({}, 2), "no runs\nstopped after 0 of 2 runs\n");
 }
 
 TEST(RunSummaryTest, SurvivesRunsWithoutTruthAndNoRuns) {

@@ -95,6 +95,22 @@ TEST(DetectorSettingsTest, SayWhereABadOptionStands) {
   EXPECT_TRUE(error("line: {method: fast}\n").starts_with(":1:16: method:"));
 }
 
+// max_door_m is 2.5 by itself.
+TEST(DetectorSettingsTest, WhatFitsTogetherMayComeInAnyOrder) {
+  const Setting least{"interpret.min_door_m", "3"};
+  const Setting most{"interpret.max_door_m", "4"};
+  for (const auto& settings : {std::array{least, most}, {most, least}}) {
+    EXPECT_EQ(detector_settings({}, settings).options.interpret.min_door_m, 3.0);
+  }
+  const testing::TemporaryFolder folder;
+  const auto file = testing::write_file(folder / "d.yaml", "interpret: {min_door_m: 3}\n");
+  EXPECT_EQ(detector_settings({.config = file}, std::array{most}).options.interpret.min_door_m, 3.0);
+  const std::array<Setting, 3> too_low = {most, least, Setting{"interpret.max_door_m", "2"}};
+  EXPECT_TRUE(error_of([&] {
+                detector_settings({}, too_low);
+              }).starts_with("--set interpret.max_door_m=2: interpret.max_door_m"));
+}
+
 TEST(DetectorSettingsTest, NameWhatThePipelineDoesNotRead) {
   const std::array<Setting, 3> settings = {Setting{"circle_std_max", "0.1"}, Setting{"line_min_pts", "6"},
                                            Setting{"surface.arc_price", "20"}};

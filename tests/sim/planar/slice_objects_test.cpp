@@ -71,6 +71,21 @@ TEST(SliceObjectsTest, TheSliceHoldsEachObjectOnceWhereItIs) {
   EXPECT_EQ(slice.discs[5].center_m, Vector2d(8, 8));
 }
 
+TEST(SliceObjectsTest, ALaserAboveSomebodysHeadMissesThem) {
+  World world = world_with_everything();
+  world.robot.laser_height_m = 1.3;
+  world.walkers[0].height_m = 1.2;
+  const SliceObjects objects(world);
+  std::string ids;
+  for (const SliceObject& object : objects.objects()) ids += object.id + " ";
+  EXPECT_EQ(ids, "hall.0 hall.1 column ben.left_leg ben.right_leg ");
+  PlanarSlice slice;
+  objects.slice_at(everything_present(), slice);
+  ASSERT_EQ(slice.discs.size(), 3U);
+  EXPECT_EQ(slice.discs[1].center_m, Vector2d(2, 1));
+  EXPECT_EQ(slice.discs[1].object, 3);
+}
+
 TEST(SliceObjectsTest, WhoIsNotPresentIsNotInTheSlice) {
   const SliceObjects objects(world_with_everything());
   WorldState state = everything_present();

@@ -67,7 +67,7 @@ TEST(SensorOptionsTest, EachBadFieldIsNamed) {
   expect_named({.min_range_m = 8.2}, "sensor.min_range_m");  // farther than 13 bits reach
   expect_named({.min_range_m = -0.1}, "sensor.min_range_m");
   for (const double far_m : {0.0, -1.0, nan}) expect_named({.max_range_m = far_m}, "sensor.max_range_m");
-  expect_named({.sectors_per_rotation = 0}, "sensor.sectors_per_rotation");
+  expect_named({.max_sector_s = 0.0}, "sensor.max_sector_s");
 }
 
 TEST(SensorOptionsTest, EachBadFigureOfAnEffectIsNamed) {

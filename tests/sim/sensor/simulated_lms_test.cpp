@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/errors/input_error.hpp"
+#include "sim/sensor/sensor_presets.hpp"
 #include "sim/world/gait.hpp"
 
 namespace scanbed::sim {
@@ -210,6 +211,29 @@ TEST(SimulatedLmsTest, InterlacedBeamsShearALegByItsWayInOneRotation) {
   EXPECT_GT(num_on_leg, 100);
   EXPECT_NEAR(largest_shear_m, swing_m_per_s / 75, 1e-9);
   EXPECT_NEAR(largest_shear_m, 0.037, 0.0005);  // published to the millimetre
+}
+
+// At 1 m/s towards the wall, what is cast at most 1.25 ms before or after a beam's time is 1.25 mm off.
+TEST(SimulatedLmsTest, HoweverSlowTheMirrorEachBeamIsMeasuredAtItsTime) {
+  World world = wall_ahead();
+  world.robot.speed_m_per_s = 1.0;
+  world.robot.drive = {Go{2.0}};
+  for (const char* name : {"sick_lms200", "hokuyo_urg04lx", "hokuyo_utm30lx", "rplidar_a1", "sick_tim5xx"}) {
+    SimulationOptions options{.lms = sensor_preset(name)};
+    options.duration_s = 1.0;
+    SimulatedLms lms(world, options);
+    const LaserScan scan = all_scans(lms).back();
+    int num_on_wall = 0;
+    for (int i = 0; i < scan.num_beams(); ++i) {
+      const double bearing_rad = scan.geometry.bearing_rad(i);
+      if (std::abs(bearing_rad) > radians(40.0)) continue;
+      ++num_on_wall;
+      const double distance_m = 3.0 - scan.time_s - scan.geometry.timing.offset_s(i);
+      ASSERT_NEAR(lms.truth()->beams[i].range_m * std::cos(bearing_rad), distance_m, 0.00125 + 1e-9)
+          << name << ", beam " << i;
+    }
+    EXPECT_GT(num_on_wall, 75) << name;
+  }
 }
 
 TEST(SimulatedLmsTest, WithoutInterlaceAllBeamsAreMeasuredAtOnce) {

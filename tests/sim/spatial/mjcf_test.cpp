@@ -32,7 +32,7 @@ TEST(MjcfTest, TheHallBecomesAModelWithEveryThingInIt) {
   }
   EXPECT_EQ(model->ntendon, 1);
   EXPECT_EQ(model->nmocap, 1 + 2 * 7);  // robot, two walkers of seven parts
-  EXPECT_EQ(model->nv, 6 + 3);          // the cylinder, and its rope's other end
+  EXPECT_EQ(model->nv, 3 + 3);          // the cylinder, and its rope's other end
 }
 
 TEST(MjcfTest, AnEmptyWorldIsAFloorAndARobot) {

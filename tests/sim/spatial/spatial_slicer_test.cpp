@@ -31,11 +31,6 @@ class Scene {
     ActorPoser(world_, *model_).put(state_, *data_);
     mj_kinematics(model_.get(), data_.get());
   }
-  /// Leans towed cylinder 0.
-  void lean_tow(const Eigen::Isometry3d& X_WB) {
-    ActorPoser(world_, *model_).put_tow(0, X_WB, *data_);
-    mj_kinematics(model_.get(), data_.get());
-  }
   PlanarSlice slice(const LaserPlane& plane) {
     PlanarSlice result;
     SpatialSlicer slicer(world_, *model_);
@@ -172,9 +167,6 @@ TEST(SpatialSlicerTest, EveryBeamIsWhatMjRaySaysInRandomWorldsWithTiltedLasers) 
     state.walkers = {test_stride(0, {random.place(3.0), random.in(-3.0, 3.0)})};
     state.tows = {{.walker = 0, .present = true, .center_m = random.place(3.0)}};
     Scene scene(world, state);
-    Eigen::Isometry3d X_WB(Eigen::Translation3d(state.tows[0].center_m.x(), state.tows[0].center_m.y(), 0.2));
-    X_WB.rotate(Eigen::AngleAxisd(random.in(-1.5, 1.5), Vector3d(random.in(-1, 1), 1, 0.2).normalized()));
-    scene.lean_tow(X_WB);
     const int num = count_checked(scene, laser_plane(world.robot, state.X_WR), 181);
     RC_ASSERT(num >= 0);
     num_met += num;

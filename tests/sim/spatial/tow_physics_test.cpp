@@ -37,8 +37,7 @@ class TowPhysicsTest : public ::testing::Test {
       physics_->step_to(state_);
     }
   }
-  Vector3d place() const { return physics_->poses().at(0).translation(); }
-  double lean_rad() const { return std::acos(std::min(1.0, physics_->poses().at(0).linear().col(2).z())); }
+  Vector3d place() const { return physics_->places().at(0); }
 
   World world_;
   std::optional<WorldScript> script_;
@@ -62,7 +61,6 @@ TEST_F(TowPhysicsTest, FollowsOnATautRopeUprightOnTheFloor) {
     EXPECT_NEAR(state_.walkers[0].X_WP.p_m.x() - place().x(), 1.15, 0.01) << k;
     EXPECT_NEAR(place().y(), 0.0, 0.03);
     EXPECT_NEAR(place().z(), 0.0, 0.005);
-    EXPECT_LT(lean_rad(), 0.02);
   }
 }
 

@@ -101,6 +101,30 @@ TEST_F(CollisionWatchTest, TheRobotMeetsATowedCylinderButItsWalkerPushesIt) {
   EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "robot", "bin"}}));
 }
 
+// Its rope of 0.9 m reaches 1.15 m from ben to its axis.
+TEST_F(CollisionWatchTest, ATowedCylinderThatIsStuckMeetsWhatHoldsIt) {
+  world_.walkers[1].tow = Tow{.id = "bin", .radius_m = 0.25, .height_m = 1.0, .rope_m = 0.9};
+  world_.solids = {made_solid("wall", WallChain{{{5.27, -9}, {5.27, 9}}, false})};
+  state_.tows = {{1, true, {5, 0}}};
+  state_.walkers[1].X_WP.p_m = {6.2, 0};
+  EXPECT_TRUE(look().empty());  // it rubs along the wall
+  state_.walkers[1].X_WP.p_m = {6.4, 0};
+  EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "bin", "wall"}}));
+  world_.solids[0].bottom_m = 1.1;  // hangs above it
+  EXPECT_TRUE(look().empty());
+  world_.solids[0].bottom_m = 0.0;
+  state_.tows[0].center_m = {3, 0};  // held by something else
+  EXPECT_TRUE(look().empty());
+}
+
+TEST_F(CollisionWatchTest, ATowedCylinderThatIsPulledThroughAWallMeetsIt) {
+  world_.walkers[1].tow = Tow{.id = "bin", .radius_m = 0.25};
+  world_.solids = {made_solid("wall", WallChain{{{5.2, -9}, {5.2, 9}}, false})};
+  state_.tows = {{1, true, {5, 0}}};
+  state_.walkers[1].X_WP.p_m = {6.0, 0};
+  EXPECT_EQ(look(), (std::vector<Collision>{{0.0, "bin", "wall"}}));
+}
+
 TEST_F(CollisionWatchTest, PartingForLessThanASecondIsOneMeeting) {
   world_.solids = {made_solid("post", Cylinder{{1, 0}, 0.1})};
   CollisionWatch watch(world_);

@@ -101,6 +101,9 @@ TEST(WorldTest, RefusesIdsThatAreNotTheirOwn) {
   expect_refused([](World& w) { w.walkers[0].tow->id = "anna"; },
                  "towed cylinder 'anna': id: 'anna' is taken");
   expect_refused([](World& w) { w.solids[1].id = "anna.left_leg"; }, "walker 'anna': id: 'anna.left_leg'");
+  expect_refused([](World& w) { w.solids[1].id = "anna.body"; }, "walker 'anna': id: 'anna.body'");
+  expect_refused([](World& w) { w.solids[1].id = "hall.top"; }, "solid 'hall.top': id: 'hall.top' is taken");
+  expect_refused([](World& w) { w.solids[1].id = "floor"; }, "solid 'floor': id: 'floor' is taken");
 }
 
 TEST(WorldTest, NamesTheWalkerAndTheFieldThatCannotBe) {
