@@ -78,7 +78,7 @@ std::optional<LmsCommand> parse_mode(ByteView data) {
       break;
   }
   if (data.size() != 1) return std::nullopt;
-  if (data[0] == 0x24 || data[0] == 0x25 || data[0] == 0x2A) {
+  if (data[0] == 0x10 || data[0] == 0x24 || data[0] == 0x25 || data[0] == 0x2A) {
     return SetModeCommand{static_cast<LmsMode>(data[0]), false};
   }
   for (const auto& [code, baud] : kBaudCodes) {

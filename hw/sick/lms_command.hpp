@@ -17,6 +17,7 @@ struct ResetCommand {};  ///< 10h
 
 enum class LmsMode : std::uint8_t {
   kInstallation = 0x00,   ///< with the password; the only mode that takes a configuration
+  kDiagnostic = 0x10,     ///< listed; what an LMS measures then was not at hand
   kStream = 0x24,         ///< all values, scan after scan
   kOnRequest = 0x25,      ///< values when 30h asks; so after power-on
   kStreamPartial = 0x2A,  ///< each turn of the mirror as its own telegram

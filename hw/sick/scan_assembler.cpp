@@ -27,7 +27,7 @@ ScanAssembler::ScanAssembler(const SickOptions& options, const LmsWordFormat& fo
       format_(format),
       geometry_(sick_geometry(options, format)),
       turn_geometry_(geometry_),
-      clock_(options.baud),
+      clock_(options.baud, !options.is_lossless),
       words_(static_cast<std::size_t>(geometry_.num_beams)) {
   turn_geometry_.timing.num_rotations = 1;
   turn_geometry_.num_beams = 181;

@@ -2,6 +2,7 @@
 #include "hw/sick/scan_clock.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace scanbed::hw {
 
@@ -16,6 +17,11 @@ double ScanClock::first_beam_s(const TelegramArrival& arrival, std::size_t num_b
   const std::size_t num_whole_behind = arrival.num_bytes_behind / num_bytes;
   const auto num_behind = static_cast<double>(num_whole_behind);
   const double period_s = timing.num_rotations * timing.rotation_s;
+  if (!is_paced_) {
+    last_s_ =
+        std::exchange(is_first_, false) ? latest_s : std::max(latest_s, last_s_ + std::max(period_s, wire_s));
+    return last_s_;
+  }
   const double share_s = std::max(0.0, latest_s - last_s_) / (num_behind + 1.0);
   last_s_ =
       std::max(last_s_ + std::min(period_s, share_s), latest_s - num_behind * std::max(period_s, wire_s));

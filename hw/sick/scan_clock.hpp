@@ -18,8 +18,12 @@ struct TelegramArrival {
 /// usual settings of USB ones) is not known, and makes times late by as much.
 class ScanClock {
  public:
-  explicit ScanClock(int baud) : byte_s_(10.0 / baud) {}
+  /// @param is_paced  false for a sensor that runs ahead of the time on the wall: an emulator without pauses.
+  explicit ScanClock(int baud, bool is_paced = true) : byte_s_(10.0 / baud), is_paced_(is_paced) {}
 
+  /// Of a sensor that is not paced, scans are as far apart as turns of the mirror and the wire would make
+  /// them.
+  ///
   /// Telegrams that were read together arrived one after another: each scan takes its turns of the mirror,
   /// and its telegram the wire, before the next can be there. Where that is more than there was time for
   /// since the last scan, they share what there was. Times never go back: a scan that seems to be from before
@@ -30,6 +34,8 @@ class ScanClock {
 
  private:
   double byte_s_;
+  bool is_paced_;
+  bool is_first_ = true;
   double last_s_ = 0.0;
 };
 

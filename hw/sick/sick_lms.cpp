@@ -67,6 +67,7 @@ struct SickLms::Impl {
   int num_failures = 0;
   bool gives_up = false;
   int first_found_baud = 0;
+  bool may_change_baud = false;  // the sensor was, or is about to be, asked for the options' baud
   int last_good_baud;
   DecoderCounts seen;  // what this link's decoder had counted when it was last asked
 
@@ -153,6 +154,14 @@ void SickLms::Impl::leave(std::optional<SerialPort>& port, double answer_s) cons
   if (!port) return;
   end_stream(*port, options.restore_baud && first_found_baud != port->baud() ? first_found_baud : 0,
              answer_s);
+  // It may have changed over after all.
+  if (!may_change_baud || !options.restore_baud || port->baud() == options.baud) return;
+  try {
+    port->set_baud(options.baud);
+  } catch (const SensorFault&) {
+    return;  // the port is gone
+  }
+  end_stream(*port, first_found_baud, answer_s / 2.0);
 }
 
 void SickLms::Impl::open_and_stream(SerialPort& port) {
@@ -167,7 +176,9 @@ void SickLms::Impl::open_and_stream(SerialPort& port) {
     const std::lock_guard lock(mutex);
     report.type = identity.type;
   }
+  may_change_baud = identity.found_baud != options.baud;
   const LmsConfiguration configuration = start_stream(link, identity, options);
+  may_change_baud = false;
   last_good_baud = options.baud;
   enter("streaming");
   stream(link, configuration);

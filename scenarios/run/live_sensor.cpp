@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr RangeSensor::Seconds kStep{0.1};
+constexpr RangeSensor::Seconds kStep{0.03};  // a stop is due within 0.2 s, and drivers need most of it
 
 constexpr std::array<const char*, 5> kSeverities = {"no trouble", "a note", "a warning", "an error",
                                                     "a fatal error"};

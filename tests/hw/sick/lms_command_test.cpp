@@ -26,6 +26,7 @@ std::vector<CommandVector> command_vectors() {
   return {
       {SetModeCommand{LmsMode::kInstallation, true}, "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5"},
       {SetModeCommand{LmsMode::kTest, true}, "02 00 0A 00 20 30 53 49 43 4B 5F 4C 4D 53 EE F5"},
+      {SetModeCommand{LmsMode::kDiagnostic}, "02 00 02 00 20 10 00 08"},
       {SetModeCommand{LmsMode::kStream}, "02 00 02 00 20 24 34 08"},
       {SetModeCommand{LmsMode::kOnRequest}, "02 00 02 00 20 25 35 08"},
       {SetModeCommand{LmsMode::kStreamPartial}, "02 00 02 00 20 2A 3A 08"},

@@ -58,6 +58,21 @@ TEST(ScanClockTest, TelegramsReadTogetherShareWhatTimeThereWas) {
   }
 }
 
+TEST(ScanClockTest, ScansOfASensorThatIsNotPacedAreAsFarApartAsOfOneThatIs) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  for (const auto& [baud, period_s] : {std::pair(38400, 7320.0 / 38400.0), {500000, kPeriod_s}}) {
+    ScanClock clock(baud, false);
+    double last_s = clock.first_beam_s({10.0, 732}, 732, geometry);
+    for (const double read_s : {10.0, 10.001, 10.002}) {
+      const double next_s = clock.first_beam_s({read_s, 732}, 732, geometry);
+      EXPECT_NEAR(next_s - last_s, period_s, 1e-9);
+      last_s = next_s;
+    }
+    // One that is slower than it could be has the time on the wall.
+    EXPECT_EQ(clock.first_beam_s({20.0}, 732, geometry), ScanClock(baud).first_beam_s({20.0}, 732, geometry));
+  }
+}
+
 TEST(ScanClockTest, TelegramsReadTogetherAtTheStartAreNotFromBefore) {
   const ScanGeometry geometry = sick_geometry({}, {});
   ScanClock clock(9600);

@@ -248,6 +248,23 @@ TEST(SickLmsTest, GivesTheBaudBackAlsoAfterARefusal) {
   EXPECT_EQ(emulator.end().baud(), 9600);
 }
 
+// The sensor takes 50 ms to say that it changes its baud; meanwhile the driver is stopped.
+TEST(SickLmsTest, GivesTheBaudBackAlsoFromAChangeThatIsNotAnsweredYet) {
+  for (const double after_s : {0.0, 0.02, 0.04}) {
+    EmulatorOptions sensor = quick_sensor();
+    sensor.mode_switch_s = 0.05;
+    RunningEmulator emulator(sensor);
+    SickOptions options = quick_driver(emulator.port());
+    options.patience.close_s = kPatience.count();
+    {
+      SickLms laser(options);
+      while (laser.report().state != "configuring") std::this_thread::sleep_for(Seconds(0.001));
+      std::this_thread::sleep_for(Seconds(after_s));
+    }
+    EXPECT_EQ(emulator.end().baud(), 9600) << after_s;
+  }
+}
+
 TEST(SickLmsTest, SaysThatNothingAnswers) {
   PseudoTerminal nobody({});
   SickOptions options = quick_driver(nobody.path());
