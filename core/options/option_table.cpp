@@ -136,6 +136,8 @@ const std::array kTable = {
                                               "so many nearer or missing beams do not cut a surface"),
     surface<&SurfaceOptions::min_noise_m>("surface.min_noise_m", "sigma of ranges is estimated as no less"),
     surface<&SurfaceOptions::max_noise_m>("surface.max_noise_m", "sigma of ranges is estimated as no more"),
+    surface<&SurfaceOptions::noise_ratio>(
+        "surface.noise_ratio", "so much sigma a metre of range on top; 0.01 for lasers that triangulate"),
     surface<&SurfaceOptions::noise_inflation>("surface.noise_inflation",
                                               "of the estimated sigma; higher: fewer and rounder pieces"),
     surface<&SurfaceOptions::line_price>("surface.line_price",

@@ -9,6 +9,7 @@
 #include "hw/recording/bag_record.hpp"
 #include "hw/recording/compression.hpp"
 #include "hw/recording/little_endian.hpp"
+#include "hw/recording/nano_time.hpp"
 #include "hw/recording/piece_reader.hpp"
 #include "hw/recording/ros_messages.hpp"
 
@@ -42,6 +43,11 @@ struct Inventory {
     return is_indexed && num_seen_connections >= num_connections && num_seen_chunks >= num_chunks;
   }
 };
+
+// Seconds in the lower half, nanoseconds in the upper one.
+double ros_time_s(std::uint64_t time) {
+  return to_seconds({.sec = time & 0xFFFFFFFFU, .nsec = static_cast<std::uint32_t>(time >> 32U)});
+}
 
 class BagSource final : public ScanSource {
  public:
@@ -234,7 +240,7 @@ class BagSource final : public ScanSource {
         add_connection(header, data);
         return false;
       case BagOp::kMessage:
-        return take_message(bag_field32(header, "conn"), data, out);
+        return take_message(header, data, out);
       default:
         throw InputError("a record in the chunk is of an unknown kind");
     }
@@ -261,12 +267,17 @@ class BagSource final : public ScanSource {
     connections_.insert_or_assign(id, std::move(connection));
   }
 
-  bool take_message(std::uint32_t id, std::string_view data, RecordedScan& out) {
-    const auto found = connections_.find(id);
+  bool take_message(std::string_view header, std::string_view data, RecordedScan& out) {
+    const auto found = connections_.find(bag_field32(header, "conn"));
     if (found == connections_.end()) throw InputError("a message of an unknown connection");
     switch (found->second.content) {
       case ConnectionContent::kScan:
         decode_laser_scan(data, out.scan);
+        // Where the driver had no time, when it was recorded. (A nanosecond stands for 0, which is no time.)
+        if (const double recorded_s = ros_time_s(bag_field64(header, "time"));
+            out.scan.time_s == 0.0 && recorded_s > 1e-9) {
+          out.scan.time_s = recorded_s;
+        }
         out.scan.source = found->second.source;
         out.scan.X_OR = X_OR_;
         out.features.reset();

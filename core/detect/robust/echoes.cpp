@@ -11,9 +11,12 @@ namespace scanbed {
 namespace {
 
 constexpr double kDefaultNoise_m = 0.006;
-constexpr double kSmoothStep_m = 0.12;  // a third difference across larger steps is an edge, not noise
+// A third difference across steps of more than so many sigma is an edge, not noise.
+constexpr double kSmoothSigmas = 4.0;
 constexpr int kMinDifferences = 12;
-constexpr double kBin_m = 0.00025;      // of a difference; 0.00008 of a sigma
+constexpr double kBinsPerSigma = 120.0;  // of a difference
+// A noise that it must be possible to tell, whatever less is expected.
+constexpr double kLeastGreatestNoise_m = 0.03;
 constexpr double kGrazingRatio = 0.35;  // error of range per step to the neighbour
 constexpr double kGrazingStep_m = 0.05;
 
@@ -87,22 +90,25 @@ int project(InstructionSet set, const EchoWriter& to, int num_beams) {
 }
 
 // Beams without echo are far from their neighbours, no number, or not positive: no smooth run holds them.
-[[gnu::always_inline]] inline void sort_into_bins_in(const double* r, int num_bins, int* bins) {
+[[gnu::always_inline]] inline void sort_into_bins_in(const double* r, int num_bins, double greatest_m,
+                                                     int* bins) {
+  const double smooth_step_m = kSmoothSigmas * greatest_m;
+  const double bins_per_m = kBinsPerSigma / greatest_m;
   for (int k = 0; k < num_bins; ++k) {
     // By steps, which do not overflow where ranges would.
     const double a = r[k + 1] - r[k];
     const double b = r[k + 2] - r[k + 1];
     const double c = r[k + 3] - r[k + 2];
-    const double bin = std::min(std::abs(c - 2.0 * b + a) * (1.0 / kBin_m), NoiseHistogram::kNumBins - 1.0);
+    const double bin = std::min(std::abs(c - 2.0 * b + a) * bins_per_m, NoiseHistogram::kNumBins - 1.0);
     const bool is_smooth =
-        std::abs(c) + std::abs(b) + std::abs(a) <= kSmoothStep_m && r[k] > 0.0 && r[k] < kMaxRange_m;
+        std::abs(c) + std::abs(b) + std::abs(a) <= smooth_step_m && r[k] > 0.0 && r[k] < kMaxRange_m;
     bins[k] = static_cast<int>(is_smooth ? bin : NoiseHistogram::kNoBin);
   }
 }
 
 #if defined(SCANBED_HAS_AVX2)
-SCANBED_AVX2 void sort_into_bins_avx2(const double* r, int num_bins, int* bins) {
-  sort_into_bins_in(r, num_bins, bins);
+SCANBED_AVX2 void sort_into_bins_avx2(const double* r, int num_bins, double greatest_m, int* bins) {
+  sort_into_bins_in(r, num_bins, greatest_m, bins);
 }
 #endif
 
@@ -152,6 +158,14 @@ int list_grazing(InstructionSet set, const Echoes& echoes, int* grazing) {
   return list_grazing(echoes, 1, 0, grazing);
 }
 
+// What is left of the noise of all ranges without the part that grows with them.
+double noise_at_sensor_m(const Echoes& echoes, double noise_m) {
+  if (echoes.noise_ratio == 0.0 || echoes.size() == 0) return noise_m;
+  const auto range_m = Eigen::Map<const Eigen::ArrayXd>(echoes.range_m.data(), echoes.size());
+  const double grown_m2 = echoes.noise_ratio * echoes.noise_ratio * range_m.square().mean();
+  return std::sqrt(std::max(0.0, noise_m * noise_m - grown_m2));
+}
+
 }  // namespace
 
 void NoiseHistogram::sort_into_bins(std::span<const double> range_m) {
@@ -159,10 +173,10 @@ void NoiseHistogram::sort_into_bins(std::span<const double> range_m) {
   const auto num_bins = static_cast<int>(bins_.size());
 #if defined(SCANBED_HAS_AVX2)
   if (instructions_ == InstructionSet::kAvx2) {
-    return sort_into_bins_avx2(range_m.data(), num_bins, bins_.data());
+    return sort_into_bins_avx2(range_m.data(), num_bins, greatest_m_, bins_.data());
   }
 #endif
-  sort_into_bins_in(range_m.data(), num_bins, bins_.data());
+  sort_into_bins_in(range_m.data(), num_bins, greatest_m_, bins_.data());
 }
 
 void NoiseHistogram::count() {
@@ -181,16 +195,21 @@ double NoiseHistogram::median_m() const {
   int below = 0;
   int bin = 0;
   while (2 * (below + count_of(bin)) < num_counted_) below += count_of(bin++);
-  return kBin_m * (bin + (0.5 * num_counted_ - below) / count_of(bin));
+  return greatest_m_ / kBinsPerSigma * (bin + (0.5 * num_counted_ - below) / count_of(bin));
 }
 
 // The median of |x| is 0.6745 sigma; it is blind to the edges that the test for smoothness let through.
-std::optional<double> NoiseHistogram::sigma_m(std::span<const double> range_m) {
+std::optional<double> NoiseHistogram::sigma_m(std::span<const double> range_m, double greatest_m) {
+  greatest_m_ = std::max(greatest_m, kLeastGreatestNoise_m);
   if (range_m.size() < 3 + kMinDifferences) return std::nullopt;
   sort_into_bins(range_m);
   count();
   if (num_counted_ < kMinDifferences) return std::nullopt;
   return median_m() / 0.6745 / std::sqrt(20.0);
+}
+
+double Echoes::noise_at_m(double distance_m) const {
+  return noise_ratio == 0.0 ? range_noise_m : std::hypot(range_noise_m, noise_ratio * distance_m);
 }
 
 void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
@@ -201,10 +220,12 @@ void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echo
   resize(echoes, num_beams);
   resize(echoes, project(instructions_, EchoWriter(scan, echoes), num_beams));
   const BeamSpan once = middle_turn(scan);
-  const std::optional<double> sigma_m =
-      noise_.sigma_m(std::span(scan.range_m).subspan(once.first, once.last - once.first + 1));
-  echoes.range_noise_m = std::clamp(sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m,
-                                    options.min_noise_m, options.max_noise_m);
+  const std::optional<double> sigma_m = noise_.sigma_m(
+      std::span(scan.range_m).subspan(once.first, once.last - once.first + 1), options.max_noise_m);
+  echoes.noise_ratio = options.noise_ratio;
+  echoes.range_noise_m =
+      std::clamp(noise_at_sensor_m(echoes, sigma_m ? options.noise_inflation * *sigma_m : kDefaultNoise_m),
+                 options.min_noise_m, options.max_noise_m);
   weigh(echoes);
 }
 
@@ -212,13 +233,20 @@ void EchoReader::weigh(Echoes& echoes) {
   const int num_echoes = echoes.size();
   const double variance_m2 = echoes.range_noise_m * echoes.range_noise_m;
   echoes.weight_per_m2.assign(num_echoes, 1.0 / variance_m2);
+  if (echoes.noise_ratio > 0.0) {
+    for (int k = 0; k < num_echoes; ++k) {
+      const double grown_m = echoes.noise_ratio * echoes.range_m[k];
+      echoes.weight_per_m2[k] = 1.0 / (variance_m2 + grown_m * grown_m);
+    }
+  }
   const std::size_t room = num_echoes + kNumQuadLanes;
   if (grazing_.size() < room) grazing_.resize(room);
   const int num_grazing = list_grazing(instructions_, echoes, grazing_.data());
   for (const int k : std::span(grazing_).first(num_grazing)) {
     if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) continue;
     const double error_m = kGrazingRatio * grazing_step_m(echoes.range_m.data(), k);
-    echoes.weight_per_m2[k] = 1.0 / (variance_m2 + error_m * error_m);
+    const double grown_m = echoes.noise_ratio * echoes.range_m[k];
+    echoes.weight_per_m2[k] = 1.0 / (variance_m2 + grown_m * grown_m + error_m * error_m);
   }
 }
 

@@ -25,10 +25,12 @@ struct Echoes {
   BeamDirections directions;            ///< of all beams of the scan
   double step_rad = 0.0;                ///< between neighbouring beams, positive
   int num_beams_to_same_direction = 0;  ///< so many beams on, a beam points the same way again
-  double range_noise_m = 0.0;           ///< sigma of a range on a plain surface
+  double range_noise_m = 0.0;           ///< sigma of a range on a plain surface near the sensor
+  double noise_ratio = 0.0;             ///< sigma of what is added at a range, over that range
 
   int size() const { return static_cast<int>(beam.size()); }
   Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }
+  double noise_at_m(double distance_m) const;  ///< sigma of a range on a plain surface so far away
   double sigma_m(int k) const { return 1.0 / std::sqrt(weight_per_m2[k]); }  ///< of the range
 };
 
@@ -42,8 +44,8 @@ class NoiseHistogram {
       : instructions_(instructions) {}
 
   /// Sigma of the ranges of neighbouring beams, from their smooth runs; empty where those are too few to
-  /// tell.
-  std::optional<double> sigma_m(std::span<const double> range_m);
+  /// tell. A sigma of more than `greatest_m` comes out too small.
+  std::optional<double> sigma_m(std::span<const double> range_m, double greatest_m);
 
  private:
   void sort_into_bins(std::span<const double> range_m);
@@ -56,6 +58,7 @@ class NoiseHistogram {
   std::array<Counts, 2> counts_{};
   std::vector<int> bins_;
   int num_counted_ = 0;
+  double greatest_m_ = 0.0;
 };
 
 /// Fills `echoes` from a scan: points, the scan's own range noise, and the error of each range. What is 300 m

@@ -24,6 +24,7 @@ void validate_noise(const SurfaceOptions& o) {
   require(o.min_noise_m >= 1e-4 && o.min_noise_m <= 1.0, "surface.min_noise_m", o.min_noise_m, "[0.0001, 1]");
   require(o.max_noise_m >= o.min_noise_m && o.max_noise_m <= 1.0, "surface.max_noise_m", o.max_noise_m,
           "[min_noise_m, 1]");
+  require(o.noise_ratio >= 0.0 && o.noise_ratio <= 0.2, "surface.noise_ratio", o.noise_ratio, "[0, 0.2]");
   require(o.noise_inflation >= 0.1 && o.noise_inflation <= 10.0, "surface.noise_inflation", o.noise_inflation,
           "[0.1, 10]");
 }

@@ -16,6 +16,7 @@ struct SurfaceOptions {
   int max_speck_beams = 3;           ///< so many nearer or missing beams do not cut a surface
   double min_noise_m = 0.003;        ///< of the sigma of ranges that is estimated from each scan
   double max_noise_m = 0.03;
+  double noise_ratio = 0.0;  ///< so much sigma a metre of range comes on top; of lasers that triangulate .01
   double noise_inflation = 1.15;  ///< recorded noise has heavier tails than a Gaussian of the same width
   double line_price = 14.0;
   double arc_price = 18.0;

@@ -15,7 +15,7 @@ constexpr double kSteadyRatio = 0.9;  // two steps may differ by this share of t
 struct GapBound {
   GapBound(const Echoes& e, const SurfaceOptions& options)
       : least_m(options.min_gap_m + 3.0 * e.range_noise_m),
-        per_range(options.gap_spacings * e.step_rad),
+        per_range(options.gap_spacings * e.step_rad + 3.0 * e.noise_ratio),
         most_beams(options.max_speck_beams + 1),
         beam(e.beam.data()),
         r_m(e.range_m.data()),

@@ -33,9 +33,9 @@ std::string connection(std::uint32_t id, std::string_view topic, std::string_vie
   return out;
 }
 
-std::string message(std::uint32_t id, const std::string& data) {
+std::string message(std::uint32_t id, const std::string& data, std::uint64_t time = 0) {
   std::string out;
-  append_bag_record(out, BagHeader(BagOp::kMessage).field("conn", id).field("time", std::uint64_t{1}), data);
+  append_bag_record(out, BagHeader(BagOp::kMessage).field("conn", id).field("time", time), data);
   return out;
 }
 
@@ -55,6 +55,17 @@ std::string plain_chunk(const std::string& records) {
 
 std::string records_of(int number) {
   return connection(0, "/scan") + message(0, encode_laser_scan(made_scan(number), 0));
+}
+
+TEST(BagReaderTest, AScanWithoutTimeHasThatOfItsRecord) {
+  constexpr std::uint64_t kOneAndAHalf_s = 1 + (std::uint64_t{500'000'000} << 32U);
+  const std::string records = connection(0, "/scan") +
+                              message(0, encode_laser_scan(made_scan(0), 0), kOneAndAHalf_s) +
+                              message(0, encode_laser_scan(made_scan(8), 1), kOneAndAHalf_s);
+  const Reading reading = read_all(bag_header(1) + plain_chunk(records), "x.bag");
+  ASSERT_EQ(reading.scans.size(), 2U);
+  EXPECT_EQ(reading.scans[0].time_s, 1.5);
+  EXPECT_EQ(reading.scans[1].time_s, 2.0);
 }
 
 TEST(BagReaderTest, ReadsPlainAndBzip2Chunks) {

@@ -11,9 +11,9 @@ namespace {
 using testing::IdealScene;
 using testing::with_noise;
 
-Echoes echoes_of(const LaserScan& scan) {
+Echoes echoes_of(const LaserScan& scan, const SurfaceOptions& options = {}) {
   Echoes echoes;
-  EchoReader().read(scan, {}, echoes);
+  EchoReader().read(scan, options, echoes);
   return echoes;
 }
 
@@ -31,6 +31,33 @@ TEST(EchoReaderTest, EstimatesTheNoiseOfTheScan) {
     const double estimate_m = echoes_of(with_noise(room(), sigma_m, 7)).range_noise_m;
     EXPECT_NEAR(estimate_m, 1.15 * sigma_m, 0.15 * sigma_m);
   }
+}
+
+TEST(EchoReaderTest, EstimatesAsMuchNoiseAsItIsAllowedTo) {
+  for (const double sigma_m : {0.03, 0.05, 0.08}) {
+    const Echoes echoes = echoes_of(with_noise(room(), sigma_m, 7), {.max_noise_m = 0.12});
+    EXPECT_NEAR(echoes.range_noise_m, 1.15 * sigma_m, 0.15 * sigma_m);
+  }
+}
+
+// 10 mm a metre, on top of the 3 mm that are the least.
+TEST(EchoReaderTest, NoiseMayGrowWithTheRange) {
+  const SurfaceOptions options{.noise_ratio = 0.01};
+  const Echoes echoes = echoes_of(room(), options);
+  EXPECT_DOUBLE_EQ(echoes.range_noise_m, 0.003);
+  for (int k = 0; k < echoes.size(); ++k) {
+    EXPECT_GE(echoes.sigma_m(k), (1.0 - 1e-12) * std::hypot(0.003, 0.01 * echoes.range_m[k]));
+  }
+  EXPECT_DOUBLE_EQ(echoes.sigma_m(180), std::hypot(0.003, 0.03));  // head-on at 3 m
+  EXPECT_DOUBLE_EQ(echoes.noise_at_m(3.0), std::hypot(0.003, 0.03));
+}
+
+// What the scan shows beyond that is the sensor's own: 20 mm where the part that grows is 10 mm at 1 m.
+TEST(EchoReaderTest, TheRestOfTheNoiseIsEstimated) {
+  LaserScan scan;
+  scan.range_m.assign(361, 1.0);
+  const Echoes echoes = echoes_of(with_noise(scan, 0.02, 5), {.noise_ratio = 0.01});
+  EXPECT_NEAR(echoes.range_noise_m, std::sqrt(1.15 * 1.15 * 0.02 * 0.02 - 0.01 * 0.01), 0.15 * 0.02);
 }
 
 TEST(EchoReaderTest, TooFewEchoesGetADefaultNoise) {
@@ -103,7 +130,7 @@ TEST(NoiseHistogramTest, TheMedianOfThirdDifferencesTellsSigma) {
   NoiseHistogram histogram;
   for (const double sigma_m : {0.0002, 0.0003, 0.0004}) {
     for (const int num : {16, 17}) {
-      const auto found_m = histogram.sigma_m(cubic(0.67449 * std::sqrt(20.0) * sigma_m / 6.0, num));
+      const auto found_m = histogram.sigma_m(cubic(0.67449 * std::sqrt(20.0) * sigma_m / 6.0, num), 0.03);
       ASSERT_TRUE(found_m);
       EXPECT_NEAR(*found_m, sigma_m, 0.00025 / 0.67449 / std::sqrt(20.0));  // a bin
     }
@@ -113,20 +140,20 @@ TEST(NoiseHistogramTest, TheMedianOfThirdDifferencesTellsSigma) {
 TEST(NoiseHistogramTest, EdgesAndBeamsWithoutEchoAreNoNoise) {
   NoiseHistogram histogram;
   std::vector<double> range_m(40, 2.0);
-  ASSERT_TRUE(histogram.sigma_m(range_m));
-  EXPECT_NEAR(*histogram.sigma_m(range_m), 0.0, 1e-4);
+  ASSERT_TRUE(histogram.sigma_m(range_m, 0.03));
+  EXPECT_NEAR(*histogram.sigma_m(range_m, 0.03), 0.0, 1e-4);
   for (int i = 0; i < 40; i += 3) range_m[i] = 3.0;
-  EXPECT_FALSE(histogram.sigma_m(range_m));
+  EXPECT_FALSE(histogram.sigma_m(range_m, 0.03));
   for (const double no_echo : {kNoEcho, kTooClose, kInvalid, 0.0}) {
     for (int i = 0; i < 40; i += 3) range_m[i] = no_echo;
-    EXPECT_FALSE(histogram.sigma_m(range_m));
+    EXPECT_FALSE(histogram.sigma_m(range_m, 0.03));
   }
 }
 
 TEST(NoiseHistogramTest, TooFewRangesSayNothing) {
   NoiseHistogram histogram;
-  for (const int num : {0, 1, 3, 14}) EXPECT_FALSE(histogram.sigma_m(std::vector<double>(num, 1.0)));
-  EXPECT_TRUE(histogram.sigma_m(std::vector<double>(15, 1.0)));
+  for (const int num : {0, 1, 3, 14}) EXPECT_FALSE(histogram.sigma_m(std::vector<double>(num, 1.0), 0.03));
+  EXPECT_TRUE(histogram.sigma_m(std::vector<double>(15, 1.0), 0.03));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ TEST(SurfaceOptionsTest, EachBadFieldIsNamed) {
       {"surface.max_speck_beams", [](SurfaceOptions& o) { o.max_speck_beams = -1; }},
       {"surface.min_noise_m", [](SurfaceOptions& o) { o.min_noise_m = 0.0; }},
       {"surface.max_noise_m", [](SurfaceOptions& o) { o.max_noise_m = 0.001; }},
+      {"surface.noise_ratio", [](SurfaceOptions& o) { o.noise_ratio = -0.01; }},
       {"surface.noise_inflation", [](SurfaceOptions& o) { o.noise_inflation = 0.0; }},
       {"surface.line_price", [](SurfaceOptions& o) { o.line_price = -1.0; }},
       {"surface.arc_price", [](SurfaceOptions& o) { o.arc_price = -1.0; }},
