@@ -187,9 +187,11 @@ class JsonLinesSource final : public ScanSource {
       const JsonValue json = parse_json(line.text);
       if (json.find("ranges") != nullptr) {
         read_scan(json, out);
-        if (!only_.empty() && out.scan.source != only_) {
+        // As in bags and MCAP, the laser without a name is called "scan".
+        const std::string source = out.scan.source.empty() ? "scan" : out.scan.source;
+        if (!only_.empty() && source != only_) {
           ++counts_.num_other_lines;
-          left_out_.add(out.scan.source);
+          left_out_.add(source);
           return false;
         }
         ++counts_.num_scans;

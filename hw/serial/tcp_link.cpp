@@ -10,8 +10,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <future>
 #include <memory>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/errors/sensor_fault.hpp"
@@ -25,7 +29,7 @@ struct FreeAddresses {
 };
 using Addresses = std::unique_ptr<addrinfo, FreeAddresses>;
 
-Addresses resolve(const std::string& host, int port) {
+Addresses look_up(const std::string& host, int port) {
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;
@@ -33,6 +37,20 @@ Addresses resolve(const std::string& host, int port) {
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
   if (error != 0) throw link_fault(host + ": no such host (" + ::gai_strerror(error) + ")");
   return Addresses(found);
+}
+
+// Where no name server answers, as often in a sensor's own network, a look-up takes many seconds and cannot
+// be interrupted: it is left to itself then.
+Addresses resolve(const std::string& host, int port, const StopSignal& stop) {
+  std::packaged_task<Addresses()> task([host, port] { return look_up(host, port); });
+  std::future<Addresses> addresses = task.get_future();
+  try {
+    std::thread(std::move(task)).detach();
+  } catch (const std::system_error&) {
+    return look_up(host, port);  // no thread is to be had
+  }
+  while (addresses.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) stop.sleep(0.01);
+  return addresses.get();
 }
 
 // What the socket says once it can be written: 0 where it is connected.
@@ -62,7 +80,7 @@ void send_at_once(int fd) {
 }
 
 FileDescriptor open_connection(const std::string& host, int port, double timeout_s, const StopSignal& stop) {
-  const Addresses addresses = resolve(host, port);
+  const Addresses addresses = resolve(host, port, stop);
   int error = 0;
   for (const addrinfo* address = addresses.get(); address != nullptr; address = address->ai_next) {
     FileDescriptor fd = connect_to(*address, timeout_s, stop, error);

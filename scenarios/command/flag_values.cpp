@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/errors/input_error.hpp"
 #include "hw/recording/new_file.hpp"
+#include "scenarios/load/is_digit.hpp"
 #include "scenarios/load/nearest_name.hpp"
 #include "scenarios/load/number.hpp"
 #include "scenarios/load/place.hpp"
@@ -38,6 +40,11 @@ std::int64_t to_count(std::string_view flag, const std::string& text, std::int64
                       std::optional<std::int64_t> greatest) {
   const bool is_negative = text.starts_with('-') && parse_count(text.substr(1)).has_value();
   const std::optional<std::int64_t> count = is_negative ? -1 : parse_count(text);
+  if (!count && !text.empty() && std::all_of(text.begin(), text.end(), is_digit)) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    throw InputError(fmt::format("{}: value {} is out of range; allowed: [{}, {}]", flag, text, least,
+                                 greatest.value_or(kMost)));
+  }
   if (!count) throw InputError(fmt::format("{}: expected a whole number, found {}", flag, quote(text)));
   require(*count >= least && (!greatest || *count <= *greatest), flag, parse_number(text).value_or(0.0),
           greatest ? fmt::format("[{}, {}]", least, *greatest) : fmt::format(">= {}", least));

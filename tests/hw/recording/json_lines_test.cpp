@@ -60,6 +60,35 @@ TEST(JsonLinesTest, FeaturesTruthAndTimingComeBack) {
   EXPECT_FALSE(reading.truths[1].has_value());
 }
 
+// More than a mebibyte in one line.
+TEST(JsonLinesTest, TheTruthOfManyBeamsComesBack) {
+  const TemporaryFolder folder;
+  const auto writer = create_recording(folder / "x.jsonl", {});
+  LaserScan scan = made_scan(1);
+  scan.geometry.num_beams = 18'000;
+  scan.geometry.step_rad = 3e-4;
+  scan.range_m.assign(18'000, 1.0 / 3.0);
+  const Truth truth = made_truth(scan.num_beams());
+  writer->write({.scan = scan, .truth = &truth});
+  writer->finish();
+  const std::string bytes = bytes_of(folder / "x.jsonl");
+  EXPECT_GT(bytes.size(), std::size_t{1} << 20);
+  const Reading reading = read_all(bytes, "x.jsonl");
+  ASSERT_EQ(reading.scans.size(), 1U) << reading.error;
+  EXPECT_EQ(reading.truths[0]->beams.size(), 18'000U);
+}
+
+TEST(JsonLinesTest, TheLaserWithoutANameIsCalledScan) {
+  std::string unnamed = line("2");
+  unnamed.replace(unnamed.find(R"("source":"a")"), 12, R"("source":"")");
+  const std::string both = kHeader + line("1") + unnamed + kEnd;
+  const Reading alone = read_all(both, "x.jsonl", {.only = "scan"});
+  ASSERT_EQ(alone.scans.size(), 1U) << alone.error;
+  EXPECT_EQ(alone.scans[0].range_m[0], 2.0);
+  EXPECT_NE(read_all(both, "x.jsonl", {.only = "c"}).error.find("it has scans of a, scan"),
+            std::string::npos);
+}
+
 TEST(JsonLinesTest, ReportsADamagedLineWithItsNumberAndReadsOn) {
   const Reading reading = read_all(kHeader + line("1") + line("-1") + line(R"("far")") + "{\"ranges\":\n" +
                                        "{\"note\":1}\n\n" + line("2") + kEnd,

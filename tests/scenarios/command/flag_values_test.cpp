@@ -24,6 +24,8 @@ TEST(FlagValuesTest, NameTheFlagAndTheTextThatDoesNotFit) {
             "--limit: expected a whole number, found 'many'");
   EXPECT_EQ(error_of([] { to_count("--limit", "-1", 0); }),
             "--limit: value -1 is out of range; allowed: >= 0");
+  EXPECT_EQ(error_of([] { to_count("--seed", "9223372036854775808", 0); }),
+            "--seed: value 9223372036854775808 is out of range; allowed: [0, 9223372036854775807]");
   EXPECT_EQ(error_of([] { to_count("--limit", "0", 1); }), "--limit: value 0 is out of range; allowed: >= 1");
   EXPECT_EQ(error_of([] { to_time_s("--at", ""); }), "--at: expected seconds, found ''");
 }
