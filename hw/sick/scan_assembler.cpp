@@ -2,7 +2,9 @@
 #include "hw/sick/scan_assembler.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "hw/sick/lms_variant.hpp"
 #include "hw/sick/telegram.hpp"
 
 namespace scanbed::hw {
@@ -15,6 +17,11 @@ constexpr std::size_t kNumTurns = 4;
 SensorHealth worse(const SensorHealth& a, const SensorHealth& b) {
   return {std::max(a.severity, b.severity), a.is_polluted || b.is_polluted,
           a.is_implausible || b.is_implausible};
+}
+
+// Between the turns that a slow link carries there are others, which it leaves out.
+double between_turns_s(double measured_s) {
+  return kLmsRotation_s * std::max(1.0, std::round(measured_s / kLmsRotation_s));
 }
 
 }  // namespace
@@ -61,8 +68,12 @@ ScanAssembler::Outcome ScanAssembler::take_turn(const TelegramArrival& arrival, 
   if (turns_ == 0 && telegram_.partial != 0) return Outcome::kPart;
   if (turns_ == 0) {
     first_turn_s_ = turn_s;
+    is_in_order_ = true;
     health_ = {};
+  } else {
+    is_in_order_ = is_in_order_ && telegram_.partial == last_turn_ + 1;
   }
+  last_turn_ = telegram_.partial;
   for (std::size_t i = 0; i < telegram_.words.size(); ++i) {
     words_[i * kNumTurns + static_cast<std::size_t>(telegram_.partial)] = telegram_.words[i];
   }
@@ -71,6 +82,9 @@ ScanAssembler::Outcome ScanAssembler::take_turn(const TelegramArrival& arrival, 
   if (turns_ != kAllTurns) return Outcome::kPart;
   turns_ = 0;
   stamp(first_turn_s_, scan);
+  if (is_in_order_)
+    scan.geometry.timing.rotation_s =
+        between_turns_s((turn_s - first_turn_s_) / static_cast<double>(kNumTurns - 1));
   scan.health = health_;
   scan.range_m.resize(words_.size());
   decode_lms_words(words_, expected_.unit, format_, scan.range_m);

@@ -41,6 +41,8 @@ class ScanAssembler {
   // The turns of one scan so far.
   unsigned turns_ = 0;  // bit i: turn i is there
   double first_turn_s_ = 0.0;
+  int last_turn_ = 0;
+  bool is_in_order_ = true;  // from turn 0 on
   SensorHealth health_;
   std::vector<std::uint16_t> words_;
 };

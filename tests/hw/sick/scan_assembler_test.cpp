@@ -63,6 +63,19 @@ TEST(ScanAssemblerTest, PutsFourTurnsTogether) {
   EXPECT_TRUE(scan.health.is_polluted);
 }
 
+// At 38400 baud a turn takes 97 ms to send: every ninth is sent.
+TEST(ScanAssemblerTest, BeamsOfTurnsThatASlowLinkSendsHaveTheirTimes) {
+  ScanAssembler assembler(interlaced(), {}, false);
+  LaserScan scan;
+  double arrival_s = 1.0;
+  const auto take_scan = [&](double turn_s, std::initializer_list<int> order) {
+    for (const int i : order) assembler.take(turn(i, 0), {arrival_s += turn_s}, scan);
+    return scan.geometry.timing.offset_s(3) - scan.geometry.timing.offset_s(0);
+  };
+  EXPECT_NEAR(take_scan(9 * 0.01332 + 0.001, {0, 1, 2, 3}), 27 * 0.01332, 1e-12);
+  EXPECT_NEAR(take_scan(0.01332, {0, 1, 2, 3}), 3 * 0.01332, 1e-12);
+}
+
 TEST(ScanAssemblerTest, TakesTurnsInTheOrderOfASlowLink) {
   ScanAssembler assembler(interlaced(), {}, false);
   LaserScan scan;

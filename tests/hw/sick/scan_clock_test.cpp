@@ -34,7 +34,8 @@ TEST(ScanClockTest, TelegramsReadTogetherAreAPeriodApart) {
   const double first_s = clock.first_beam_s({10.0, 2 * 732 + 100}, 732, geometry);
   const double second_s = clock.first_beam_s({10.0, 732 + 100}, 732, geometry);
   const double third_s = clock.first_beam_s({10.0, 100}, 732, geometry);
-  EXPECT_EQ(third_s, ScanClock(500000).first_beam_s({10.0}, 732, geometry));
+  // A hundred bytes came after it.
+  EXPECT_NEAR(third_s, ScanClock(500000).first_beam_s({10.0 - 1000.0 / 500000.0}, 732, geometry), 1e-9);
   EXPECT_NEAR(third_s - second_s, kPeriod_s, 1e-9);
   EXPECT_NEAR(second_s - first_s, kPeriod_s, 1e-9);
 }
@@ -45,6 +46,17 @@ TEST(ScanClockTest, TelegramsReadTogetherAreAWireTimeApart) {
   ScanClock clock(38400);
   const double first_s = clock.first_beam_s({10.0, 732}, 732, geometry);
   EXPECT_NEAR(clock.first_beam_s({10.0}, 732, geometry) - first_s, 7320.0 / 38400.0, 1e-9);
+}
+
+// As where garbage before it looked like the head of a telegram, and it was found only after its time.
+TEST(ScanClockTest, WhatStandsBehindATelegramCameAfterIt) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  const double at_once_s = ScanClock(38400).first_beam_s({10.0}, 732, geometry);
+  for (const std::size_t num_bytes_behind : {100, 300, 700}) {
+    const double delay_s = static_cast<double>(num_bytes_behind) * 10.0 / 38400.0;
+    EXPECT_NEAR(ScanClock(38400).first_beam_s({10.0 + delay_s, num_bytes_behind}, 732, geometry), at_once_s,
+                1e-9);
+  }
 }
 
 TEST(ScanClockTest, TelegramsReadTogetherShareWhatTimeThereWas) {
