@@ -9,6 +9,7 @@
 
 #include "core/errors/input_error.hpp"
 #include "hw/sick/sick_lms.hpp"
+#include "scenarios/command/interrupt.hpp"
 #include "scenarios/command/log.hpp"
 #include "scenarios/load/library.hpp"
 #include "scenarios/load/load_scenario.hpp"

@@ -6,26 +6,30 @@
 namespace scanbed::sim {
 
 SliceObjects::SliceObjects(const World& world) {
+  const double laser_height_m = world.robot.laser_height_m;
   for (const Solid& solid : world.solids) {
-    if (is_at_height(solid, world.robot.laser_height_m)) add_solid(solid);
+    if (is_at_height(solid, laser_height_m)) add_solid(solid);
   }
   for (const Walker& walker : world.walkers) {
-    const bool in_plane = world.robot.laser_height_m <= walker.height_m;
-    left_leg_object_.push_back(in_plane ? static_cast<int>(objects_.size()) : kNoObject);
-    if (!in_plane) continue;
-    for (const char* leg : {".left_leg", ".right_leg"}) {
-      objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
-    }
+    left_leg_object_.push_back(laser_height_m <= walker.height_m ? add_legs(walker) : kNoObject);
   }
   for (const Walker& walker : world.walkers) {
     if (!walker.tow) continue;
-    const bool in_plane = world.robot.laser_height_m <= walker.tow->height_m;
-    tow_object_.push_back(in_plane ? static_cast<int>(objects_.size()) : kNoObject);
-    if (in_plane) {
-      objects_.push_back({walker.tow->id, walker.tow->label, Primitive::kCircle, walker.tow->radius_m,
-                          walker.tow->material});
-    }
+    tow_object_.push_back(laser_height_m <= walker.tow->height_m ? add_tow(*walker.tow) : kNoObject);
   }
+}
+
+int SliceObjects::add_legs(const Walker& walker) {
+  const auto left = static_cast<int>(objects_.size());
+  for (const char* leg : {".left_leg", ".right_leg"}) {
+    objects_.push_back({walker.id + leg, "leg", Primitive::kLeg, walker.leg_radius_m, walker.material});
+  }
+  return left;
+}
+
+int SliceObjects::add_tow(const Tow& tow) {
+  objects_.push_back({tow.id, tow.label, Primitive::kCircle, tow.radius_m, tow.material});
+  return static_cast<int>(objects_.size()) - 1;
 }
 
 void SliceObjects::add_solid(const Solid& solid) {

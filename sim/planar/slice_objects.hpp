@@ -37,6 +37,8 @@ class SliceObjects {
 
  private:
   void add_solid(const Solid& solid);
+  int add_legs(const Walker& walker);  ///< its left leg's object
+  int add_tow(const Tow& tow);         ///< its object
 
   std::vector<SliceObject> objects_;
   PlanarSlice still_;
