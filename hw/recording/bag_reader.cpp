@@ -9,7 +9,6 @@
 #include "hw/recording/bag_record.hpp"
 #include "hw/recording/compression.hpp"
 #include "hw/recording/little_endian.hpp"
-#include "hw/recording/nano_time.hpp"
 #include "hw/recording/piece_reader.hpp"
 #include "hw/recording/ros_messages.hpp"
 
@@ -43,11 +42,6 @@ struct Inventory {
     return is_indexed && num_seen_connections >= num_connections && num_seen_chunks >= num_chunks;
   }
 };
-
-// Seconds in the lower half, nanoseconds in the upper one.
-double ros_time_s(std::uint64_t time) {
-  return to_seconds({.sec = time & 0xFFFFFFFFU, .nsec = static_cast<std::uint32_t>(time >> 32U)});
-}
 
 class BagSource final : public ScanSource {
  public:
@@ -273,11 +267,8 @@ class BagSource final : public ScanSource {
     switch (found->second.content) {
       case ConnectionContent::kScan:
         decode_laser_scan(data, out.scan);
-        // Where the driver had no time, when it was recorded. (A nanosecond stands for 0, which is no time.)
-        if (const double recorded_s = ros_time_s(bag_field64(header, "time"));
-            out.scan.time_s == 0.0 && recorded_s > 1e-9) {
-          out.scan.time_s = recorded_s;
-        }
+        // Where the driver had no time, when it was recorded.
+        if (out.scan.time_s == 0.0) out.scan.time_s = from_bag_time(bag_field64(header, "time"));
         out.scan.source = found->second.source;
         out.scan.X_OR = X_OR_;
         out.features.reset();

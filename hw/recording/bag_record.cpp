@@ -2,9 +2,12 @@
 #include "hw/recording/bag_record.hpp"
 
 #include "core/errors/input_error.hpp"
+#include "hw/recording/nano_time.hpp"
 
 namespace scanbed::hw {
 namespace {
+
+constexpr std::uint64_t kTimeZero = std::uint64_t{1} << 32U;
 
 template <class Number>
 Number number_field(std::string_view header, std::string_view name) {
@@ -37,6 +40,17 @@ std::uint64_t bag_field64(std::string_view header, std::string_view name) {
 
 BagOp bag_op(std::string_view header) {
   return static_cast<BagOp>(number_field<std::uint8_t>(header, "op"));
+}
+
+std::uint64_t to_bag_time(double time_s) {
+  const NanoTime time = to_nano_time(time_s);
+  const std::uint64_t both = static_cast<std::uint64_t>(time.nsec) << 32U | time.sec;
+  return both == 0 ? kTimeZero : both;
+}
+
+double from_bag_time(std::uint64_t time) {
+  if (time == kTimeZero) return 0.0;
+  return to_seconds({.sec = time & 0xFFFFFFFFU, .nsec = static_cast<std::uint32_t>(time >> 32U)});
 }
 
 BagHeader& BagHeader::field(std::string_view name, std::string_view value) {

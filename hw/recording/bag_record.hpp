@@ -29,6 +29,11 @@ std::uint32_t bag_field32(std::string_view header, std::string_view name);
 std::uint64_t bag_field64(std::string_view header, std::string_view name);
 BagOp bag_op(std::string_view header);
 
+/// A time as records hold it: seconds in the lower half, nanoseconds in the upper one. A nanosecond stands
+/// for 0, which ROS takes for "no time". @throws InputError as to_nano_time.
+std::uint64_t to_bag_time(double time_s);
+double from_bag_time(std::uint64_t time);
+
 /// Makes the header of a record, field by field.
 class BagHeader {
  public:

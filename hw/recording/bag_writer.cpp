@@ -14,7 +14,6 @@
 #include "hw/recording/bag_record.hpp"
 #include "hw/recording/compression.hpp"
 #include "hw/recording/little_endian.hpp"
-#include "hw/recording/nano_time.hpp"
 #include "hw/recording/ros_messages.hpp"
 
 namespace scanbed::hw {
@@ -23,13 +22,6 @@ namespace {
 constexpr std::size_t kMaxBagChunk = std::size_t{768} << 10;  // as rosbag's
 constexpr double kMaxBagChunk_s = 1.0;
 constexpr std::size_t kHeaderRecord = 4096;  // header and data of the bag's first record, as rosbag writes it
-
-/// A time as records hold it: seconds, then nanoseconds. Never 0, which ROS takes for "no time".
-std::uint64_t to_ros_time(double time_s) {
-  const NanoTime time = to_nano_time(time_s);
-  if (time.sec == 0 && time.nsec == 0) return std::uint64_t{1} << 32;
-  return (static_cast<std::uint64_t>(time.nsec) << 32) | time.sec;
-}
 
 /// Such times do not compare as they are.
 std::uint64_t in_order(std::uint64_t ros_time) {
@@ -89,7 +81,7 @@ class BagWriter final : public ScanWriter {
     }
     if (chunk_.empty()) chunk_start_s_ = scan.time_s;
     // Encoded first: what cannot be written leaves nothing half done.
-    const std::uint64_t time = to_ros_time(scan.time_s);
+    const std::uint64_t time = to_bag_time(scan.time_s);
     Topic& topic = topic_of(scan_topic(scan.source), kLaserScanType);
     const std::string message = encode_laser_scan(scan, topic.num_messages);
     if (scan.X_OR) add(topic_of("/tf", kTransformType), time, encode_odometry(*scan.X_OR, scan.time_s));

@@ -5,6 +5,8 @@
 #include <exception>
 #include <memory>
 
+#include "core/errors/input_error.hpp"
+#include "core/errors/sensor_fault.hpp"
 #include "hw/recording/open_recording.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/flag_values.hpp"
@@ -12,19 +14,26 @@
 #include "scenarios/command/log.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/progress.hpp"
-#include "scenarios/command/source_fault.hpp"
 #include "scenarios/command/usage.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
-void copy_scans(hw::ScanReader& reader, hw::ScanWriter& writer) {
+// What ended it early: a recording that is cut off. What came before is to be written all the same.
+std::exception_ptr copy_scans(hw::ScanReader& reader, hw::ScanWriter& writer) {
   Progress progress("convert");
   LaserScan scan;
-  while (!is_interrupted() && reader.next(scan, {})) {
-    writer.write({.scan = scan, .features = reader.features(), .truth = reader.truth()});
-    progress.show(scan.index + 1);
+  try {
+    while (!is_interrupted() && reader.next(scan, {})) {
+      writer.write({.scan = scan, .features = reader.features(), .truth = reader.truth()});
+      progress.show(scan.index + 1);
+    }
+  } catch (const InputError&) {
+    return std::current_exception();
+  } catch (const SensorFault&) {
+    return std::current_exception();
   }
+  return nullptr;
 }
 
 }  // namespace
@@ -32,7 +41,7 @@ void copy_scans(hw::ScanReader& reader, hw::ScanWriter& writer) {
 ExitCode execute(const ConvertCommand& command) {
   const std::unique_ptr<hw::ScanReader> reader = open_log(command.from);
   const std::unique_ptr<hw::ScanWriter> writer = hw::create_recording(command.to, reader->metadata());
-  const std::exception_ptr fault = source_fault([&] { copy_scans(*reader, *writer); });
+  const std::exception_ptr fault = copy_scans(*reader, *writer);
   writer->finish();
   log_note(to_text(reader->counts()));
   if (fault) {

@@ -13,14 +13,14 @@
 #include "core/errors/input_error.hpp"
 #include "hw/recording/json_text.hpp"
 #include "hw/recording/json_value.hpp"
+#include "hw/recording/line_reader.hpp"
 #include "hw/recording/scan_json.hpp"
 #include "scenarios/run/output.hpp"
 
 namespace scanbed::scenarios {
 namespace {
 
-// Longer than that of any scan.
-constexpr std::size_t kMaxLine = std::size_t{16} << 20U;
+constexpr std::size_t kMaxLine = hw::LineReader::kMaxLine;
 
 std::uint64_t read_hash(const hw::JsonValue& line) {
   const std::string& text = line.at("hash").text("hash");
@@ -105,8 +105,8 @@ std::optional<std::string> TruthReader::next_line() {
     partial_.push_back(static_cast<char>(c));
   }
   if (partial_.size() <= kMaxLine) return std::nullopt;
-  throw InputError(fmt::format("--truth {}: holds a line longer than 16 MiB; allowed: what emulate wrote",
-                               path_.string()));
+  throw InputError(fmt::format("--truth {}: holds a line {}; allowed: what emulate wrote", path_.string(),
+                               hw::LineReader::kTooLong));
 }
 
 bool TruthReader::take(const std::string& line, std::uint64_t hash, int num_beams) {

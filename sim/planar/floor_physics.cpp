@@ -109,7 +109,7 @@ void add_rope(b2World& world, b2Body* pelvis, b2Body* cylinder, const Tow& tow) 
   rope.bodyA = pelvis;
   rope.bodyB = cylinder;
   rope.minLength = 0.0F;
-  rope.maxLength = static_cast<float>(tow.rope_m + tow.radius_m);
+  rope.maxLength = static_cast<float>(tow.taut_m());
   rope.length = rope.maxLength;
   world.CreateJoint(&rope);
 }
@@ -160,8 +160,8 @@ FloorPhysics::Impl::Impl(const World& description, const WorldState& start) : ti
     if (walker.tow) {
       b2BodyDef pelvis;
       pelvis.type = b2_kinematicBody;
-      const Pull pull{static_cast<int>(i), walker.tow->rope_m + walker.tow->radius_m,
-                      world.CreateBody(&pelvis), create_cylinder(world, *walker.tow)};
+      const Pull pull{static_cast<int>(i), walker.tow->taut_m(), world.CreateBody(&pelvis),
+                      create_cylinder(world, *walker.tow)};
       add_floor_friction(world, ground, pull.cylinder, *walker.tow);
       add_rope(world, pull.pelvis, pull.cylinder, *walker.tow);
       pull.pelvis->SetEnabled(false);

@@ -164,7 +164,7 @@ void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pug
   const pugi::xml_node rope = MjcfElement(tendon, "spatial")
                                   .set("name", tow_name(tow.id, "rope"))
                                   .set("limited", "true")
-                                  .set("range", {0.0, tendon_m(tow)})
+                                  .set("range", {0.0, tow.taut_m()})
                                   .set("width", {0.012})
                                   .set_color(kRopeColor)
                                   .node();

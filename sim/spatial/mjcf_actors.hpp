@@ -21,12 +21,6 @@ void add_walker(const Walker& walker, int index, pugi::xml_node worldbody);
 /// velocity, which MuJoCo takes for 0: the rope would give way by some centimetres.)
 void add_tow(const Tow& tow, const Walker& walker, pugi::xml_node worldbody, pugi::xml_node tendon);
 
-/// How far the tendon reaches: the rope, and on to the cylinder's axis. A pulled cylinder turns its rope's
-/// end towards the puller.
-inline double tendon_m(const Tow& tow) {
-  return tow.rope_m + tow.radius_m;
-}
-
 /// Above the floor, of both ends of the rope: on the cylinder, and within reach of the walker's hands.
 double rope_height_m(const Tow& tow, const Walker& walker);
 

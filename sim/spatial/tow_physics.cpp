@@ -40,7 +40,7 @@ TowPhysics::TowPhysics(const World& world, mjModel& model, const WorldState& sta
     const int end = model.body_jntadr[id_of(model, mjOBJ_BODY, tow_name(tow.id, "walker_end"))];
     pulls_.push_back({static_cast<int>(i), id_of(model, mjOBJ_TENDON, tow_name(tow.id, "rope")),
                       model.jnt_qposadr[cylinder], model.jnt_dofadr[cylinder], model.jnt_dofadr[end],
-                      tendon_m(tow), false, Vector3d::Zero()});
+                      tow.taut_m(), false, Vector3d::Zero()});
   }
   for (int i = 0; i < static_cast<int>(pulls_.size()); ++i) {
     const WalkerState& state = start.walkers[pulls_[i].walker];
@@ -57,7 +57,7 @@ void TowPhysics::appear(int tow, const WalkerState& state) {
   pull.present = true;
   pull.end_m << state.X_WP.p_m, poser_.rope_height_m(tow);
   model_.tendon_limited[pull.tendon] = 1;
-  poser_.put_tow(tow, behind(state, pull.tendon_m), *data_);
+  poser_.put_tow(tow, behind(state, pull.taut_m), *data_);
   Eigen::Map<Vector3d>(data_->qvel + pull.cylinder_qvel).setZero();
 }
 

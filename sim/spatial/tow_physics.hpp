@@ -40,7 +40,7 @@ class TowPhysics {
     int tendon;
     int cylinder_qpos, cylinder_qvel;
     int end_qvel;
-    double tendon_m;
+    double taut_m;
     bool present;
     Eigen::Vector3d end_m;  ///< p_WE of the rope's end at the walker, at the last step
   };

@@ -65,7 +65,7 @@ void check_in_matter(const World& world, const Vector2d& p_WQ, const std::string
 
 void check_room_of_tow(const World& world, const Tow& tow, const Pose2& X_WP) {
   const std::string name = quoted("towed cylinder", tow.id) + ": start, a rope's length behind its walker";
-  const Vector2d p_WC = X_WP * Vector2d(-(tow.rope_m + tow.radius_m), 0.0);
+  const Vector2d p_WC = X_WP * Vector2d(-tow.taut_m(), 0.0);
   check_room(world, {p_WC, tow.radius_m, tow.height_m}, name);
   for (const Solid& solid : world.solids) {
     if (solid.bottom_m >= tow.height_m) continue;

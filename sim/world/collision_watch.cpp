@@ -103,7 +103,7 @@ int CollisionWatch::thing_of(const TowState& tow) const {
 // through.
 void CollisionWatch::look_at_tow(const TowState& tow, const WalkerState& walker) {
   const Tow& what = tows_[tow.walker];
-  const double pulled_m = (walker.X_WP.p_m - tow.center_m).norm() - what.rope_m - what.radius_m;
+  const double pulled_m = (walker.X_WP.p_m - tow.center_m).norm() - what.taut_m();
   const double reach_m = what.radius_m + (pulled_m > kStuck_m ? kTouches_m : -kRubs_m);
   for (const Obstacle& obstacle : obstacles_) {
     const bool is_in_the_way = obstacle.bottom_m < what.height_m && obstacle.top_m > 0.0;

@@ -71,6 +71,10 @@ struct Tow {
   double mass_kg = 8.0;
   double friction = 0.3;  ///< Coulomb, between cylinder and floor
   Material material;
+
+  /// From the walker's pelvis to the cylinder's axis when the rope is taut: a pulled cylinder turns its
+  /// rope's end towards the puller.
+  double taut_m() const { return rope_m + radius_m; }
 };
 
 /// A rest on a walker's way: it stands at `at_m` for a while, feet side by side.

@@ -53,6 +53,7 @@ BENCHMARK(full_lms200_scan_without_spot);
 
 void full_lms200_scan_by_sectors(benchmark::State& state) {
   SensorOptions sensor = sensor_preset("sick_lms200");
+  // Half a turn, and the beam that is one more.
   sensor.max_sector_s = 0.5 * sensor.rotation_s / static_cast<double>(state.range(0)) + 1e-4;
   run_scans(state, bench::hall_world(), sensor);
 }

@@ -269,7 +269,7 @@ double ArcFinder::doubt_of(const Arc& arc, const Ends& ends) const {
 // average. k lines see sagittas of s / k^2.
 double ArcFinder::expected_gain(const Arc& arc) const {
   const double sagitta_m = arc.fit.cylinder.radius_m * (1.0 - std::cos(0.5 * arc_in_view_rad(arc)));
-  const double sigmas = sagitta_m / echoes().noise_at_m(arc.fit.cylinder.center_m.norm());
+  const double sigmas = sagitta_m / std::sqrt(echoes().variance_at_m2(arc.fit.cylinder.center_m.norm()));
   const double as_line = kArcOffLine * sigmas * sigmas * arc.num_echoes();
   double least = std::numeric_limits<double>::infinity();
   for (int k = 1; k <= 4; ++k) {

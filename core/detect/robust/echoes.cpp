@@ -208,10 +208,6 @@ std::optional<double> NoiseHistogram::sigma_m(std::span<const double> range_m, d
   return median_m() / 0.6745 / std::sqrt(20.0);
 }
 
-double Echoes::noise_at_m(double distance_m) const {
-  return noise_ratio == 0.0 ? range_noise_m : std::hypot(range_noise_m, noise_ratio * distance_m);
-}
-
 void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echoes& echoes) {
   echoes.directions.follow(scan);
   echoes.step_rad = std::abs(scan.geometry.step_rad);
@@ -231,12 +227,10 @@ void EchoReader::read(const LaserScan& scan, const SurfaceOptions& options, Echo
 
 void EchoReader::weigh(Echoes& echoes) {
   const int num_echoes = echoes.size();
-  const double variance_m2 = echoes.range_noise_m * echoes.range_noise_m;
-  echoes.weight_per_m2.assign(num_echoes, 1.0 / variance_m2);
+  echoes.weight_per_m2.assign(num_echoes, 1.0 / echoes.variance_at_m2(0.0));
   if (echoes.noise_ratio > 0.0) {
     for (int k = 0; k < num_echoes; ++k) {
-      const double grown_m = echoes.noise_ratio * echoes.range_m[k];
-      echoes.weight_per_m2[k] = 1.0 / (variance_m2 + grown_m * grown_m);
+      echoes.weight_per_m2[k] = 1.0 / echoes.variance_at_m2(echoes.range_m[k]);
     }
   }
   const std::size_t room = num_echoes + kNumQuadLanes;
@@ -245,8 +239,7 @@ void EchoReader::weigh(Echoes& echoes) {
   for (const int k : std::span(grazing_).first(num_grazing)) {
     if (echoes.beam[k + 1] - echoes.beam[k - 1] != 2) continue;
     const double error_m = kGrazingRatio * grazing_step_m(echoes.range_m.data(), k);
-    const double grown_m = echoes.noise_ratio * echoes.range_m[k];
-    echoes.weight_per_m2[k] = 1.0 / (variance_m2 + grown_m * grown_m + error_m * error_m);
+    echoes.weight_per_m2[k] = 1.0 / (echoes.variance_at_m2(echoes.range_m[k]) + error_m * error_m);
   }
 }
 

@@ -30,7 +30,11 @@ struct Echoes {
 
   int size() const { return static_cast<int>(beam.size()); }
   Eigen::Vector2d point_m(int k) const { return {x_m[k], y_m[k]}; }
-  double noise_at_m(double distance_m) const;  ///< sigma of a range on a plain surface so far away
+  /// Of a range on a plain surface so far away.
+  double variance_at_m2(double distance_m) const {
+    const double grown_m = noise_ratio * distance_m;
+    return range_noise_m * range_noise_m + grown_m * grown_m;
+  }
   double sigma_m(int k) const { return 1.0 / std::sqrt(weight_per_m2[k]); }  ///< of the range
 };
 

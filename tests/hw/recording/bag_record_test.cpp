@@ -34,6 +34,12 @@ TEST(BagRecordTest, RefusesMissingFieldsAndOtherWidths) {
   EXPECT_THROW(bag_op(header.bytes()), InputError);
 }
 
+TEST(BagRecordTest, HoldsTimesInSecondsAndThenNanoseconds) {
+  EXPECT_EQ(to_bag_time(3.5), 3 + (std::uint64_t{500'000'000} << 32U));
+  EXPECT_NE(to_bag_time(0.0), 0U);
+  for (const double time_s : {0.0, 3.5, 1.0e9}) EXPECT_EQ(from_bag_time(to_bag_time(time_s)), time_s);
+}
+
 TEST(BagRecordTest, AFieldBeyondTheHeaderIsNone) {
   std::string bytes = BagHeader().field("a", std::string_view("x")).bytes();
   bytes[0] = '\x7f';

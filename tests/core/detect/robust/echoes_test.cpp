@@ -49,7 +49,7 @@ TEST(EchoReaderTest, NoiseMayGrowWithTheRange) {
     EXPECT_GE(echoes.sigma_m(k), (1.0 - 1e-12) * std::hypot(0.003, 0.01 * echoes.range_m[k]));
   }
   EXPECT_DOUBLE_EQ(echoes.sigma_m(180), std::hypot(0.003, 0.03));  // head-on at 3 m
-  EXPECT_DOUBLE_EQ(echoes.noise_at_m(3.0), std::hypot(0.003, 0.03));
+  EXPECT_DOUBLE_EQ(echoes.variance_at_m2(3.0), 0.003 * 0.003 + 0.03 * 0.03);
 }
 
 // What the scan shows beyond that is the sensor's own: 20 mm where the part that grows is 10 mm at 1 m.
