@@ -25,9 +25,9 @@ class ScanClock {
   /// them.
   ///
   /// Telegrams that were read together arrived one after another: each scan takes its turns of the mirror,
-  /// and its telegram the wire, before the next can be there. Where that is more than there was time for
-  /// since the last scan, they share what there was. Times never go back: a scan that seems to be from before
-  /// the last one gets the last one's time.
+  /// and its telegram the wire, before the next can be there. A part of a telegram counts as much as has come
+  /// of it. Where that is more than there was time for since the last scan, they share what there was. Times
+  /// never go back: a scan that seems to be from before the last one gets the last one's time.
   /// @param num_bytes  of its telegram.
   /// @returns not less than 0, where no arrival is from before the sensor could have sent a telegram since 0.
   double first_beam_s(const TelegramArrival& arrival, std::size_t num_bytes, const ScanGeometry& geometry);

@@ -97,5 +97,20 @@ TEST(ScanClockTest, TelegramsReadTogetherAtTheStartAreNotFromBefore) {
   }
 }
 
+// An emulator's pseudo-terminal carries them as fast as they are written: what is behind a telegram would
+// have taken longer than there was time for.
+TEST(ScanClockTest, ALinkThatIsFasterThanItsBaudGivesEachScanALaterTime) {
+  const ScanGeometry geometry = sick_geometry({}, {});
+  ScanClock clock(9600);
+  double read_s = 7320.0 / 9600.0 + kPeriod_s;
+  double last_s = 0.0;
+  for (const std::size_t num_bytes_behind : {700, 0, 731, 300, 0, 1}) {
+    const double next_s = clock.first_beam_s({read_s, num_bytes_behind}, 732, geometry);
+    EXPECT_GT(next_s, last_s) << num_bytes_behind;
+    last_s = next_s;
+    read_s += 0.002;
+  }
+}
+
 }  // namespace
 }  // namespace scanbed::hw
