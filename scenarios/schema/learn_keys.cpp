@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ using Form = Asked::Form;
 
 /// The way to a value: names of keys, "[]" into any element of a list.
 using Way = std::vector<std::string>;
+using Values = std::vector<std::pair<Way, TreeNode>>;
 const std::string kItem = "[]";
 const std::string kAnyKey = "a";  // where keys are free to choose
 
@@ -119,16 +121,29 @@ class Learner {
     }
   }
 
-  void attempt(const std::vector<std::pair<Way, TreeNode>>& values) {
-    if (!attempt(values, Numbers::kGreatest)) attempt(values, Numbers::kRising);
+  // What was read once has nothing more to ask.
+  void attempt(const Values& values) {
+    const std::string name = name_of(values);
+    if (done_.count(name) > 0) return;
+    if (attempt(values, Numbers::kGreatest) || attempt(values, Numbers::kRising)) done_.insert(name);
+  }
+
+  static std::string name_of(const Values& values) {
+    std::string name;
+    for (const auto& [way, value] : values) {
+      for (const std::string& step : way) name += step + '/';
+      name += std::to_string(static_cast<int>(value.kind)) + value.text + '\n';
+    }
+    return name;
   }
 
   // Reads a tree that has these values and whatever else the reader insists on.
-  bool attempt(const std::vector<std::pair<Way, TreeNode>>& values, Numbers numbers) {
+  bool attempt(const Values& values, Numbers numbers) {
     numbers_ = numbers;
     num_numbers_ = 0;
     TreeNode root = empty(TreeNode::Kind::kMap);
     for (const auto& [way, value] : values) place(root, way, value);
+    if (numbers == Numbers::kGreatest) fill_in(root, recorder_.root);
     constexpr int kMostAnswers = 100;
     for (int i = 0; i < kMostAnswers; ++i) {
       recorder_.last = {};
@@ -159,6 +174,20 @@ class Learner {
       node = &found->value;
     }
     *node = value;
+  }
+
+  // Adds what is known to be insisted on: each question is a read that fails.
+  void fill_in(TreeNode& node, const Asked& asked) const {
+    if (node.kind != TreeNode::Kind::kMap) return;
+    for (const std::string& key : asked.key_names()) {
+      const auto has_key = [&](const NodeEntry& entry) { return entry.key == key; };
+      const auto found = std::find_if(node.entries.begin(), node.entries.end(), has_key);
+      if (found != node.entries.end()) {
+        fill_in(found->value, asked.key(key));
+      } else if (asked.is_needed(key)) {
+        node.entries.push_back({key, {}, example(asked.key(key))});
+      }
+    }
   }
 
   // Gives the reader what it last asked for. @returns false where it had that already.
@@ -238,7 +267,8 @@ class Learner {
   }
 
   void keep_examples(const TreeNode& node, Asked& asked) {
-    if (node.kind == TreeNode::Kind::kMap) examples_.try_emplace(&asked, node);
+    const bool is_number_of_its_own = node.kind == TreeNode::Kind::kScalar && numbers_ == Numbers::kGreatest;
+    if (node.kind == TreeNode::Kind::kMap || is_number_of_its_own) examples_.try_emplace(&asked, node);
     if (asked.any_keys() != nullptr) return;
     for (const NodeEntry& entry : node.entries) keep_examples(entry.value, asked.key(entry.key));
     for (const TreeNode& item : node.items) keep_examples(item, asked.item());
@@ -249,6 +279,7 @@ class Learner {
   Numbers numbers_ = Numbers::kGreatest;
   int num_numbers_ = 0;  // in the tree so far
   std::map<const Asked*, TreeNode> examples_;
+  std::set<std::string> done_;  // attempts that were read to their end
 };
 
 }  // namespace

@@ -122,13 +122,12 @@ std::string mjcf_of(const World& world) {
       .set("timestep", {1.0 / kPhysicsSteps_per_s})
       .set("cone", "elliptic")
       .set("impratio", {10.0});
-  // MuJoCo's own guess has room for some thirty cylinders, and drops what is too much.
+  // MuJoCo's own guess has room for some thirty cylinders, and drops what is too much. A contact takes three
+  // rows, and memory grows with the square of their number.
   const auto num_tows =
       static_cast<double>(std::count_if(world.walkers.begin(), world.walkers.end(),
                                         [](const Walker& walker) { return walker.tow.has_value(); }));
-  MjcfElement(root, "size")
-      .set("njmax", {500.0 + 100.0 * num_tows})
-      .set("nconmax", {100.0 + 20.0 * num_tows});
+  MjcfElement(root, "size").set("njmax", {500.0 + 60.0 * num_tows}).set("nconmax", {100.0 + 20.0 * num_tows});
   add_look(root, bounds);
   const pugi::xml_node asset = MjcfElement(root, "asset").node();
   const pugi::xml_node worldbody = MjcfElement(root, "worldbody").node();

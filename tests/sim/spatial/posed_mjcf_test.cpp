@@ -37,10 +37,11 @@ TEST(PosedMjcfTest, AResetModelStandsAsTheWorldDid) {
   }
 }
 
-// More of them than MuJoCo would have room for by itself; each touches the floor.
+// More of them than what has no tow needs room for; each touches the floor.
 TEST(PosedMjcfTest, HasRoomForTheContactsOfManyTowedCylinders) {
+  constexpr int kNumTows = 60;
   World world;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kNumTows; ++i) {
     Walker walker;
     walker.id = "w" + std::to_string(i);
     walker.path = {{{0.0, 2.0 * i}, {4.0, 2.0 * i}}, false, 0.0, false};
@@ -54,7 +55,7 @@ TEST(PosedMjcfTest, HasRoomForTheContactsOfManyTowedCylinders) {
   for (int i = 0; i < 20; ++i) mj_step(model.get(), data.get());
   EXPECT_EQ(data->warning[mjWARN_CONTACTFULL].number, 0);
   EXPECT_EQ(data->warning[mjWARN_CNSTRFULL].number, 0);
-  EXPECT_GE(data->ncon, 3 * 60);
+  EXPECT_GE(data->ncon, 3 * kNumTows);
 }
 
 }  // namespace
