@@ -59,6 +59,7 @@ EmulateCommand to_emulate(const EmulateTexts& texts) {
 }  // namespace
 
 ExitCode execute(const EmulateCommand& command) {
+  refuse_detector_settings(command.settings);
   const Scenario scenario = open_scenario(command.scenario, command.settings, command.seed);
   hw::EmulatorOptions options = emulator_options(scenario);
   if (const auto difference = unlike_an_lms(scenario)) log_warning(*difference);
@@ -100,7 +101,7 @@ Usage emulate_usage() {
       {"--for", "SECONDS", "End after so many seconds", &texts->duration},
       texts->seed.flag(),
       texts->backend.flag(),
-      texts->settings.flag(),
+      texts->settings.flag(SettingFlag::Of::kScenario),
   };
   usage.footer =
       R"(Prints the port, then serves it. With each scan the world goes on by the scenario's own scan period,

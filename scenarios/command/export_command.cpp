@@ -2,7 +2,6 @@
 #include <array>
 #include <memory>
 
-#include "core/errors/input_error.hpp"
 #include "scenarios/command/commands.hpp"
 #include "scenarios/command/open_laser.hpp"
 #include "scenarios/command/shared_flags.hpp"
@@ -23,12 +22,8 @@ struct ExportTexts {
 }  // namespace
 
 ExitCode execute(const ExportCommand& command) {
-  const SortedSettings settings = sort_settings(command.settings);
-  if (!settings.detector.empty()) {
-    throw InputError("--set " + settings.detector[0].path +
-                     ": a world has no detector; allowed: the scenario's values");
-  }
-  const Scenario scenario = open_scenario(command.scenario, settings.scenario, command.seed);
+  refuse_detector_settings(command.settings);
+  const Scenario scenario = open_scenario(command.scenario, command.settings, command.seed);
   scenario.world.validate();
   const auto engine = sim::make_engine(scenario.world, sim::Backend::kPlanar);
   write_whole(command.mjcf, sim::posed_mjcf(scenario.world, engine->state()));
@@ -42,7 +37,7 @@ Usage export_usage() {
       one_scenario(texts->scenarios),
       {"--mjcf", "FILE", "MuJoCo's model format; - is standard output", &texts->mjcf, true},
       texts->seed.flag(),
-      texts->settings.flag(),
+      texts->settings.flag(SettingFlag::Of::kScenario),
   };
   usage.footer =
       R"(What moves stands as the scenario begins: robot and walkers as mocap bodies, which move where they are put,

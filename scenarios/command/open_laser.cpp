@@ -136,4 +136,12 @@ SortedSettings sort_settings(std::span<const Setting> settings) {
   return sorted;
 }
 
+void refuse_detector_settings(std::span<const Setting> settings) {
+  for (const Setting& setting : settings) {
+    if (!is_detector_setting(setting.path)) continue;
+    throw InputError("--set " + setting.path +
+                     ": is an option of the detector, and none runs here; allowed: the scenario's values");
+  }
+}
+
 }  // namespace scanbed::scenarios

@@ -55,4 +55,8 @@ struct SortedSettings {
 };
 SortedSettings sort_settings(std::span<const Setting> settings);
 
+/// For commands that run no detector.
+/// @throws InputError where a setting is an option of one.
+void refuse_detector_settings(std::span<const Setting> settings);
+
 }  // namespace scanbed::scenarios

@@ -129,7 +129,9 @@ ExitCode render_picture(const RenderCommand& command, const Scenario& scenario, 
   sim::ScenePainter painter(sensor->world(), command.picture);
   const sim::Image image =
       painter.paint(sensor->state(), {scan, features, sensor->truth()}, caption(scenario, scan));
-  write_whole(command.out, sim::png_of(image));
+  const std::string png = sim::png_of(image);
+  if (is_interrupted()) return kExitInterrupted;
+  write_whole(command.out, png);
   if (*command.out != "-") write_whole(std::nullopt, "picture: " + command.out->string() + "\n");
   return kExitFine;
 }

@@ -14,9 +14,19 @@
 
 namespace scanbed::scenarios {
 
-Flag SettingFlag::flag() {
-  return {"--set", "NAME=VALUE",
-          "Change one value: of a scenario file by its path, or an option of the detector", &texts};
+Flag SettingFlag::flag(Of of) {
+  const auto text = [of] {
+    switch (of) {
+      case Of::kScenario:
+        return "Change one value of the scenario file, by its path";
+      case Of::kDetector:
+        return "Change one option, by its path";
+      case Of::kBoth:
+        break;
+    }
+    return "Change one value: of a scenario file by its path, or an option of the detector";
+  };
+  return {"--set", "NAME=VALUE", text(), &texts};
 }
 
 std::vector<Setting> SettingFlag::values() const {

@@ -15,9 +15,12 @@ namespace scanbed::scenarios {
 
 /// `--set NAME=VALUE`, any number of times.
 struct SettingFlag {
+  /// What a command can set.
+  enum class Of { kBoth, kScenario, kDetector };
+
   std::vector<std::string> texts;
 
-  Flag flag();
+  Flag flag(Of of = Of::kBoth);
   std::vector<Setting> values() const;
 };
 

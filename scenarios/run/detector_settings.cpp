@@ -138,6 +138,20 @@ void validate(const AnalysisOptions& options, const std::vector<Given>& given) {
   }
 }
 
+/// The options' values before any is given: those of the preset that is named, be it by the pipeline alone.
+std::string preset_to_begin_with(const DetectorChoice& choice, const std::vector<TreeNode>& trees) {
+  std::string preset = choice.preset.value_or(kDefaultPreset);
+  if (choice.preset) return preset;
+  const auto names = preset_names();
+  for (const TreeNode& tree : trees) {
+    for (const NodeEntry& entry : tree.entries) {
+      const bool is_preset = std::find(names.begin(), names.end(), entry.value.text) != names.end();
+      if (entry.key == "pipeline" && is_preset) preset = entry.value.text;
+    }
+  }
+  return preset;
+}
+
 TreeNode read_config(const std::filesystem::path& path) {
   TreeNode root = read_yaml(path);
   if (root.kind == TreeNode::Kind::kNothing) {
@@ -165,8 +179,8 @@ void list_idle(const std::vector<Given>& given, const AnalysisOptions& options, 
 void refuse_another_preset(const DetectorChoice& choice, const std::vector<Given>& given,
                            const AnalysisOptions& options) {
   const auto pipeline =
-      std::find_if(given.begin(), given.end(), [](const Given& one) { return one.path == "pipeline"; });
-  if (!choice.preset || pipeline == given.end() || preset_of(options) == *choice.preset) return;
+      std::find_if(given.rbegin(), given.rend(), [](const Given& one) { return one.path == "pipeline"; });
+  if (!choice.preset || pipeline == given.rend() || preset_of(options) == *choice.preset) return;
   refuse(pipeline->place, fmt::format("pipeline: is {}, but --preset is {}; allowed: one of the two",
                                       preset_of(options), *choice.preset));
 }
@@ -205,23 +219,21 @@ std::string near_detector_setting_hint(std::string_view path) {
 
 DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings,
                                    const AnalysisSteps& steps) {
-  AnalysisOptions options = options_of(choice.preset.value_or(kDefaultPreset));
+  std::vector<TreeNode> trees;
+  if (choice.config) trees.push_back(read_config(*choice.config));
+  for (const Setting& setting : settings) set_path(trees.emplace_back(), setting);
+  AnalysisOptions options = options_of(preset_to_begin_with(choice, trees));
   std::vector<Given> in_file;
   std::vector<Given> set;
-  const auto read = [&](const TreeNode& root, std::vector<Given>& given) {
+  for (const TreeNode& tree : trees) {
     Reader reader(options);
-    reader.read(root);
+    reader.read(tree);
+    std::vector<Given>& given = choice.config && &tree == &trees.front() ? in_file : set;
     given.insert(given.end(), reader.given().begin(), reader.given().end());
-  };
-  if (choice.config) read(read_config(*choice.config), in_file);
-  refuse_another_preset(choice, in_file, options);
-  for (const Setting& setting : settings) {
-    TreeNode root;
-    set_path(root, setting);
-    read(root, set);
   }
   std::vector<Given> all = in_file;
   all.insert(all.end(), set.begin(), set.end());
+  refuse_another_preset(choice, all, options);
   validate(options, all);
   // In the end, since a later setting may choose who reads an earlier one.
   std::vector<IdleOption> idle;

@@ -15,7 +15,7 @@ namespace scanbed::scenarios {
 
 /// What the command line says about the detector.
 struct DetectorChoice {
-  std::optional<std::string> preset;  ///< else kDefaultPreset
+  std::optional<std::string> preset;  ///< else that of the pipeline that is asked for, else kDefaultPreset
   std::optional<std::filesystem::path>
       config;  ///< YAML of options, as `scanbed options` prints, or Table II names
 };
@@ -50,12 +50,12 @@ bool is_detector_setting(std::string_view path);
 std::string near_detector_setting_hint(std::string_view path);
 
 /// The preset, changed by the file, changed by the settings: options by their path ("circle.max_std_rad"), or
-/// Table II's names in its units.
+/// Table II's names in its units. A pipeline that file or settings choose brings its preset's values with it.
 ///
 /// @param steps  what of a file's options they leave unread is not counted as idle: it may serve other runs.
 /// @throws InputError for an unknown preset, group or option, and naming option, value and allowed range; for
-///                    a file that is empty, gives one option under both its names, or is for another preset
-///                    than the one asked for.
+///                    a file that is empty, gives one option under both its names; for a pipeline of another
+///                    preset than the one asked for.
 DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const Setting> settings,
                                    const AnalysisSteps& steps = {});
 

@@ -158,6 +158,29 @@ TEST(DetectorSettingsTest, RefuseAFileOfAnotherPreset) {
   }
 }
 
+TEST(DetectorSettingsTest, APipelineBringsThePresetsValuesWithIt) {
+  const DetectorOptions paper = detector_settings({.preset = "paper", .config = {}}, {}).options.detector;
+  const testing::TemporaryFolder folder;
+  const auto file = testing::write_file(folder / "d.yaml", "circle_std_max: 0.1\npipeline: paper\n");
+  const DetectorOptions from_file = detector_settings({.config = file}, {}).options.detector;
+  EXPECT_EQ(from_file.leg.scorer, paper.leg.scorer);
+  EXPECT_EQ(from_file.line.min_length_m, paper.line.min_length_m);
+  EXPECT_EQ(from_file.circle.max_std_rad, 0.1);
+  const std::array settings = {Setting{"circle_std_max", "0.1"}, Setting{"pipeline", "paper"}};
+  EXPECT_EQ(detector_settings({}, settings).options.detector.leg.scorer, paper.leg.scorer);
+  EXPECT_EQ(detector_settings({}, settings).options.detector.circle.max_std_rad, 0.1);
+  // The last one counts.
+  EXPECT_EQ(preset_of(detector_settings({.config = file}, std::array{Setting{"pipeline", "robust"}}).options),
+            "robust");
+}
+
+TEST(DetectorSettingsTest, RefuseASettingOfAnotherPreset) {
+  EXPECT_EQ(error_of([&] {
+              detector_settings({.preset = "robust", .config = {}}, std::array{Setting{"pipeline", "paper"}});
+            }),
+            "--set pipeline=paper: pipeline: is paper, but --preset is robust; allowed: one of the two");
+}
+
 TEST(DetectorSettingsTest, RefuseAnOptionUnderBothItsNames) {
   const testing::TemporaryFolder folder;
   const auto file =
