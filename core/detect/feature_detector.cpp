@@ -11,6 +11,7 @@
 #include "core/detect/leg/forest_leg_detector.hpp"
 #include "core/detect/leg/leg_forest.hpp"
 #include "core/detect/leg_detector.hpp"
+#include "core/detect/line_corner.hpp"
 #include "core/detect/line_detector.hpp"
 #include "core/detect/points.hpp"
 #include "core/detect/robust/surface_parser.hpp"
@@ -75,6 +76,7 @@ void FeatureDetector::Stages::detect_unrolled(const LaserScan& scan) {
   if (is_paper || (by_rules && options_.leg.enabled)) detect_in_segments(scan);
   if (!is_paper) detect_surfaces(scan, options_, features_);
   if (options_.leg.enabled && !by_rules) detect_legs_by_forest(scan);
+  if (!is_paper) end_at_corners(features_.lines, scan.geometry);
   if (options_.line.method == LineMethod::kOff) features_.lines.clear();
   if (options_.circle.method == CircleMethod::kOff) features_.circles.clear();
 }

@@ -17,13 +17,18 @@ struct BeamSpan {
 /// Table I, column Line; sensor frame S. y = slope * x + bias; both are empty for a line along y.
 struct Line {
   BeamSpan beams;
-  Eigen::Vector2d left_m = Eigen::Vector2d::Zero();   ///< end at beams.first, on the fitted line
-  Eigen::Vector2d right_m = Eigen::Vector2d::Zero();  ///< end at beams.last, on the fitted line
+  /// Ends at beams.first and beams.last, on the fitted line; of the robust pipeline at the corner, where the
+  /// line makes one with its neighbour.
+  Eigen::Vector2d left_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d right_m = Eigen::Vector2d::Zero();
   std::optional<double> slope;
   std::optional<double> bias_m;
   int num_points = 0;
   double error_m = 0.0;  ///< largest distance of a point to the line
   double score = 0.0;    ///< [0, 1]
+  /// Of normal bearing a (rad) and distance d (m), d > 0, in x cos(a) + y sin(a) = d; of the robust pipeline
+  /// alone.
+  std::optional<Eigen::Matrix2d> covariance = {};
 
   /// Sets slope and bias to those of the line through a point along a unit direction. Where that runs along y
   /// so nearly that a slope says nothing, both stay empty.
@@ -47,6 +52,8 @@ struct Circle {
   std::optional<double> average_rad;  ///< mean inscribed angle; of the paper's detector alone
   std::optional<double> std_rad;      ///< standard deviation of the inscribed angles; of that alone too
   double score = 0.0;                 ///< [0, 1]
+  /// Of center x, y and radius, m2; of the robust pipeline alone.
+  std::optional<Eigen::Matrix3d> covariance = {};
 };
 
 /// Table I, column Leg; sensor frame S.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/full_turn.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +87,10 @@ void FullTurn::turn(Line& line) const {
 
 void FullTurn::turn(Circle& circle) const {
   circle.center_m = X_SU_ * circle.center_m;
+  if (!circle.covariance) return;
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(X_SU_.theta_rad).toRotationMatrix();
+  circle.covariance = turned * *circle.covariance * turned.transpose();
 }
 
 void FullTurn::turn(Leg& leg) const {

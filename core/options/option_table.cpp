@@ -189,8 +189,11 @@ const std::array kTable = {
     interpret<&InterpretOptions::max_trash_can_radius_m>("interpret.max_trash_can_radius_m",
                                                          "thicker round things are columns"),
 
-    row<&All::track, &TrackOptions::motion>("track.motion", "where the sensor's own motion is taken from",
-                                            kBoth, kMotionSourceWords),
+    row<&All::track, &TrackOptions::motion>(
+        "track.motion",
+        "where the sensor's own motion is taken from; odometry is taken for "
+        "that of a laser at the robot's centre that looks ahead",
+        kBoth, kMotionSourceWords),
     track<&TrackOptions::gate_m>("track.gate_m",
                                  "a feature farther from where a track is expected is not its own"),
     track<&TrackOptions::gate_speed_m_per_s>("track.gate_speed_m_per_s",

@@ -40,7 +40,8 @@ constexpr std::string_view kFeatures =
     R"(,"slope":{"type":"number"},"bias":{"type":"number"},"points":{"type":"integer"},)"
     R"("error":{"type":"number"},"center":)" SCANBED_NUMBERS
     R"(,"radius":{"type":"number"},"average":{"type":"number"},"std":{"type":"number"},"middle":)" SCANBED_NUMBERS
-    R"(,"score":{"type":"number"}},"required":["type","first","last","score"]}}},)"
+    R"(,"score":{"type":"number"},"covariance":)" SCANBED_NUMBERS
+    R"(},"required":["type","first","last","score"]}}},)"
     R"("required":["timestamp","features"]})";
 
 constexpr std::string_view kTruth =

@@ -41,6 +41,30 @@ Eigen::Vector2d read_point(const JsonValue& json, std::string_view key) {
   return {items[0].number(key), items[1].number(key)};
 }
 
+// Row by row, in one list: viewers convert no lists of lists.
+template <typename Matrix>
+void write_matrix(JsonText& json, std::string_view key, const std::optional<Matrix>& matrix) {
+  if (!matrix) return;
+  json.key(key).begin_array();
+  for (const double element : matrix->template reshaped<Eigen::RowMajor>()) json.number(element);
+  json.end_array();
+}
+
+template <typename Matrix>
+std::optional<Matrix> read_matrix(const JsonValue& json, std::string_view key) {
+  const JsonValue* const value = json.find(key);
+  if (value == nullptr) return std::nullopt;
+  const JsonValue::Array& items = value->array(key);
+  Matrix matrix;
+  if (static_cast<Eigen::Index>(items.size()) != matrix.size()) {
+    throw InputError("'" + std::string(key) + "' has " + std::to_string(items.size()) + " elements, not " +
+                     std::to_string(matrix.size()));
+  }
+  auto elements = matrix.template reshaped<Eigen::RowMajor>();
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) elements[i] = items[i].number(key);
+  return matrix;
+}
+
 void begin_feature(JsonText& json, std::string_view type, const BeamSpan& beams) {
   json.begin_object()
       .key("type")
@@ -70,6 +94,7 @@ Line read_line(const JsonValue& json, int num_beams) {
   line.num_points = json.at("points").integer("points");
   line.error_m = number_at(json, "error");
   line.score = number_at(json, "score");
+  line.covariance = read_matrix<Eigen::Matrix2d>(json, "covariance");
   return line;
 }
 
@@ -77,7 +102,8 @@ Circle read_circle(const JsonValue& json, int num_beams) {
   Circle circle{.beams = read_beams(json, num_beams),
                 .center_m = read_point(json, "center"),
                 .radius_m = number_at(json, "radius"),
-                .score = number_at(json, "score")};
+                .score = number_at(json, "score"),
+                .covariance = read_matrix<Eigen::Matrix3d>(json, "covariance")};
   if (json.find("average") != nullptr) {
     circle.average_rad = number_at(json, "average");
     circle.std_rad = number_at(json, "std");
@@ -97,7 +123,9 @@ void write_line(JsonText& json, const Line& line) {
   write_point(json, "right", line.right_m);
   if (line.slope && line.bias_m) json.key("slope").number(*line.slope).key("bias").number(*line.bias_m);
   json.key("points").integer(line.num_points).key("error").number(line.error_m);
-  json.key("score").number(line.score).end_object();
+  json.key("score").number(line.score);
+  write_matrix(json, "covariance", line.covariance);
+  json.end_object();
 }
 
 void write_circle(JsonText& json, const Circle& circle) {
@@ -107,7 +135,9 @@ void write_circle(JsonText& json, const Circle& circle) {
   if (circle.average_rad && circle.std_rad) {
     json.key("average").number(*circle.average_rad).key("std").number(*circle.std_rad);
   }
-  json.key("score").number(circle.score).end_object();
+  json.key("score").number(circle.score);
+  write_matrix(json, "covariance", circle.covariance);
+  json.end_object();
 }
 
 void write_beam(JsonText& json, const BeamTruth& beam) {

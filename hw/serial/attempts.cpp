@@ -13,6 +13,15 @@ SensorFault final_fault(const std::string& device, const SensorFault& fault) {
           text.starts_with(device) ? text : device + ": " + text};
 }
 
+void pause(const Attempts& attempts, const StopSignal& stop) {
+  try {
+    stop.sleep(attempts.pause_s);
+  } catch (const Stopped&) {
+    if (attempts.leave) attempts.leave();
+    throw;
+  }
+}
+
 }  // namespace
 
 std::exception_ptr keep_trying(const Attempts& attempts, const StopSignal& stop) {
@@ -25,7 +34,7 @@ std::exception_ptr keep_trying(const Attempts& attempts, const StopSignal& stop)
       } catch (const SensorFault& fault) {
         if (!attempts.may_go_on(fault)) throw final_fault(attempts.device, fault);
       }
-      stop.sleep(attempts.pause_s);
+      pause(attempts, stop);
     }
   } catch (const Stopped&) {
     return nullptr;

@@ -19,6 +19,9 @@ struct Attempts {
   std::function<void()> attempt;
   /// Whether there is another attempt after this fault.
   std::function<bool(const SensorFault&)> may_go_on;
+  /// Where the signal is given between two attempts: what the last one could not leave in order. May be
+  /// empty.
+  std::function<void()> leave = {};
 };
 
 /// Goes on until the signal is given, and then returns null; or until a driver has to give up, and then

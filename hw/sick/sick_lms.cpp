@@ -44,6 +44,7 @@ struct SickLms::Impl {
   void attempt();
   bool try_again(const SensorFault& fault);
   void leave(std::optional<SerialPort>& port, double answer_s) const;
+  void leave_between_attempts() const;
   void open_and_stream(SerialPort& port);
   void stream(LmsLink& link, const LmsConfiguration& configuration);
   bool handle(const WireItem& item, double arrival_s, ScanAssembler& assembler);
@@ -125,7 +126,8 @@ void SickLms::Impl::work() {
   const Attempts attempts{.device = options.path,
                           .pause_s = options.patience.pause_s,
                           .attempt = [this] { attempt(); },
-                          .may_go_on = [this](const SensorFault&) { return !gives_up; }};
+                          .may_go_on = [this](const SensorFault&) { return !gives_up; },
+                          .leave = [this] { leave_between_attempts(); }};
   if (const auto reason = keep_trying(attempts, stop)) give_up(reason);
 }
 
@@ -162,6 +164,19 @@ void SickLms::Impl::leave(std::optional<SerialPort>& port, double answer_s) cons
     return;  // the port is gone
   }
   end_stream(*port, first_found_baud, answer_s / 2.0);
+}
+
+/// After a fault, the sensor may still stream, at the baud that it was last taken to.
+void SickLms::Impl::leave_between_attempts() const {
+  if (first_found_baud == 0) return;
+  std::optional<SerialPort> port;
+  try {
+    port.emplace(options.path);
+    port->set_baud(last_good_baud);
+  } catch (const SensorFault&) {
+    return;  // the port is gone
+  }
+  leave(port, options.patience.close_s);
 }
 
 void SickLms::Impl::open_and_stream(SerialPort& port) {

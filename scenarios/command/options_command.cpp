@@ -29,7 +29,8 @@ Usage options_usage() {
   };
   auto texts = std::make_shared<Texts>();
   Usage usage{.name = "options", .summary = "Print the options of detection, interpretation and tracking"};
-  usage.flags = {texts->detector.preset_flag(), texts->detector.config_flag(), texts->settings.flag(SettingFlag::Of::kDetector)};
+  usage.flags = {texts->detector.preset_flag(), texts->detector.config_flag(),
+                 texts->settings.flag(SettingFlag::Of::kDetector)};
   usage.footer = R"(Prints YAML with units and effects, for --config FILE.
 Examples:
   scanbed options --preset robust > mine.yaml

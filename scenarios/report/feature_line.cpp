@@ -38,6 +38,22 @@ class ObjectWriter {
     out_ += ']';
     return *this;
   }
+  /// Row by row; null where it is not known.
+  template <typename Matrix>
+  ObjectWriter& matrix_or_null(std::string_view key, const std::optional<Matrix>& value) {
+    begin(key);
+    if (!value) {
+      out_ += "null";
+      return *this;
+    }
+    char before = '[';
+    for (const double element : value->template reshaped<Eigen::RowMajor>()) {
+      append_format(out_, "{}{:.6g}", before, element);  // in digits that count: these may be millionths
+      before = ',';
+    }
+    out_ += ']';
+    return *this;
+  }
 
  private:
   void begin(std::string_view key) { append_format(out_, ",\"{}\":", key); }
@@ -96,7 +112,8 @@ void append(std::string& out, const Line& line) {
       .number_or_null("bias", line.bias_m)
       .count("points", line.num_points)
       .number("error", line.error_m)
-      .number("score", line.score);
+      .number("score", line.score)
+      .matrix_or_null("covariance", line.covariance);
 }
 
 void append(std::string& out, const Circle& circle) {
@@ -105,7 +122,8 @@ void append(std::string& out, const Circle& circle) {
       .number("radius", circle.radius_m)
       .number_or_null("average", circle.average_rad)
       .number_or_null("std", circle.std_rad)
-      .number("score", circle.score);
+      .number("score", circle.score)
+      .matrix_or_null("covariance", circle.covariance);
 }
 
 void append(std::string& out, const Leg& leg) {

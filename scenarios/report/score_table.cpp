@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -93,6 +94,7 @@ std::string reason(const std::optional<std::string>& known_fail) {
 // As few digits as show on which side of the bar the value is.
 std::string measured_text(const GateResult& gate) {
   if (!gate.value) return "nothing";
+  if (*gate.value == std::round(*gate.value)) return fmt::format("{:.0f}", *gate.value);  // a count
   for (int num_digits = 4; num_digits < std::numeric_limits<double>::max_digits10; ++num_digits) {
     std::string text = fmt::format("{:.{}g}", *gate.value, num_digits);
     if (is_met(gate.need, std::stod(text)) == gate.met) return text;

@@ -120,7 +120,8 @@ void validate_path(const Path& path, std::string_view name) {
     const std::string edge_name = subject + ": from point " + std::to_string(i);
     require(edges[i].length_m >= kMinEdge_m, edge_name + ": length", edges[i].length_m, ">= 0.001 m");
     const double cut = cut_per_radius(turn_before_rad) + cut_per_radius(edges[i].turn_rad);
-    const double largest_m = edges[i].length_m / cut;
+    const double room_m = edges[i].length_m / cut;
+    const double largest_m = room_m < kSlack_m ? 0.0 : room_m;  // it turns back
     require(path.round_m >= 0.0 && path.round_m <= largest_m + kSlack_m, edge_name + ": round", path.round_m,
             "0 to " + number_text(largest_m) + " m, the largest that fits between its corners");
     turn_before_rad = edges[i].turn_rad;

@@ -93,6 +93,7 @@ void ForeignLms::plug() {
   std::array<char, 128> name{};
   if (openpty(&master_, &slave_, name.data(), &raw, nullptr) != 0) throw std::runtime_error("openpty");
   ::fcntl(master_, F_SETFL, O_NONBLOCK);
+  std::filesystem::remove(link_);  // a run that was killed may have had this process's number
   std::filesystem::create_symlink(name.data(), link_);
 }
 

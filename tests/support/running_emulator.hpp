@@ -83,11 +83,11 @@ inline hw::SickOptions quick_driver(const std::string& port) {
 }
 
 /// A driver for a sensor without faults whose baud it knows: it waits longer than any machine is busy, and
-/// starts over for nothing.
+/// starts over for nothing. A request or answer that a busy machine tears apart is asked for again.
 inline hw::SickOptions patient_driver(const std::string& port) {
   hw::SickOptions options = quick_driver(port);
   options.patience = {
-      .ack_s = 20.0, .reply_s = 20.0, .write_s = 20.0, .settle_s = 0.02, .silence_s = 20.0, .close_s = 20.0};
+      .ack_s = 5.0, .reply_s = 5.0, .write_s = 20.0, .settle_s = 0.02, .silence_s = 20.0, .close_s = 20.0};
   return options;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/detect/robust/arc_fit.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -168,6 +169,14 @@ double ArcFit::squared_residual(const Echoes& echoes, int k) const {
   const double beside = center_m.x() * p_m.y() - center_m.y() * p_m.x();
   const double facing2 = std::max(kMinSlant2 * radius2, radius2 - beside * beside);
   return error_m * error_m * echoes.weight_per_m2[k] * radius2 / facing2;
+}
+
+std::optional<Eigen::Matrix3d> ArcFit::covariance() const {
+  Eigen::Matrix3d inverse;
+  bool is_known = false;
+  information.computeInverseWithCheck(inverse, is_known);
+  if (!is_known || !(inverse.diagonal().minCoeff() > 0.0)) return std::nullopt;
+  return inverse;
 }
 
 std::optional<ArcFit> fit_arc(const Echoes& echoes, const ArcEvidence& evidence, const Cylinder& start,

@@ -30,6 +30,9 @@ struct ArcFit {
   /// Squared range residual of an echo in units of its variance. Range noise counts less where the surface
   /// turns away.
   double squared_residual(const Echoes& echoes, int k) const;
+
+  /// Of (x, y, radius), m2; empty where the echoes leave one of them open.
+  std::optional<Eigen::Matrix3d> covariance() const;
 };
 
 /// What an arc is fitted to.

@@ -63,6 +63,21 @@ template <typename Lanes>
 
 }  // namespace
 
+// With the unit normal n and t across it, (a, b) = n / d: a step along t turns the line by d times as much,
+// one along n moves it by -d^2 times as much.
+Eigen::Matrix2d RayLine::covariance() const {
+  const auto [aa, ab, bb] = information_m2;
+  Eigen::Matrix2d of_inverse;
+  of_inverse << bb, -ab, -ab, aa;
+  of_inverse /= aa * bb - ab * ab;
+  const double distance_m = 1.0 / inverse_m.norm();
+  const Eigen::Vector2d normal = inverse_m * distance_m;
+  Eigen::Matrix2d jacobian;
+  jacobian << -normal.y(), normal.x(), -distance_m * normal.x(), -distance_m * normal.y();
+  jacobian *= distance_m;
+  return jacobian * of_inverse * jacobian.transpose();
+}
+
 void RayLineSums::build(const Echoes& echoes) {
   const int num_echoes = echoes.size();
   for (std::vector<double>* sums : {&q_, &qx_, &qy_, &qxx_, &qxy_, &qyy_}) {
@@ -183,6 +198,7 @@ RayLine RayLineSums::solve(const Sums<double>& s) {
   const double norm2 = a * a + b * b;
   const double across = s.qxx * a * a + 2.0 * s.qxy * a * b + s.qyy * b * b;
   line.direction_rad2 = across / (determinant * norm2 * norm2);
+  line.information_m2 = {s.qxx, s.qxy, s.qyy};
   return line;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -19,6 +20,12 @@ struct RayLine {
   Eigen::Vector2d inverse_m = Eigen::Vector2d::Zero();  ///< (a, b): normal of the wall / its distance
   double chi2 = 0.0;  ///< sum of squared range residuals in units of their sigma
   double direction_rad2 = std::numeric_limits<double>::infinity();  ///< variance of its direction
+  /// Inverse covariance of (a, b): aa, ab, bb.
+  std::array<double, 3> information_m2 = {};
+
+  /// Of the normal's bearing (rad) and the distance (m).
+  /// @pre  direction_rad2 is finite.
+  Eigen::Matrix2d covariance() const;
 };
 
 /// Sums from which the line through any stretch of echoes is fitted in constant time.

@@ -135,6 +135,7 @@ void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, std::ve
   circle.center_m = arc.fit.cylinder.center_m;
   circle.radius_m = arc.fit.cylinder.radius_m;
   circle.score = 1.0 - std::exp(-0.1 * (arc.gain - arc.doubt));
+  circle.covariance = arc.fit.covariance();
   circles.push_back(circle);
 }
 

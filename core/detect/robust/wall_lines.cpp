@@ -67,10 +67,10 @@ double largest_error_m(const Echoes& echoes, Stretch places, const Eigen::Vector
 }
 
 // Ends and errors on the line that rays see, which weighs grazing echoes rightly.
-Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& inverse_m) {
+Line line_of(const Echoes& echoes, Stretch places, const RayLine& seen) {
   const auto [first, last] = places;
-  const double distance_m = 1.0 / inverse_m.norm();
-  const Eigen::Vector2d normal = inverse_m * distance_m;
+  const double distance_m = 1.0 / seen.inverse_m.norm();
+  const Eigen::Vector2d normal = seen.inverse_m * distance_m;
   const auto off_m = [&](int place) {
     return distance_m - (normal.x() * echoes.x_m[place] + normal.y() * echoes.y_m[place]);
   };
@@ -85,6 +85,7 @@ Line line_of(const Echoes& echoes, Stretch places, const Eigen::Vector2d& invers
   line.num_points = places.size();
   line.error_m = largest_error_m(echoes, places, normal, distance_m);
   line.score = 1.0 - 2.0 / line.num_points;
+  line.covariance = seen.covariance();
   return line;
 }
 
@@ -105,7 +106,7 @@ void WallLines::append(std::span<const LinePiece> pieces, std::vector<Line>& lin
     RayLine best = walls_[i].line;
     if (!is_sure(best)) best = line_with_others(i);
     if (best.direction_rad2 > max_rad2) continue;
-    const Line line = line_of(*echoes_, walls_[i].places, best.inverse_m);
+    const Line line = line_of(*echoes_, walls_[i].places, best);
     if ((line.right_m - line.left_m).squaredNorm() >= min_chord_m2) lines.push_back(line);
   }
 }

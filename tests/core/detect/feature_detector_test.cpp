@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "core/detect/table_two.hpp"
 #include "core/errors/input_error.hpp"
@@ -13,6 +15,7 @@
 namespace scanbed {
 namespace {
 
+using Eigen::Vector2d;
 using testing::IdealScene;
 using testing::scan_of;
 using testing::with_noise;
@@ -129,6 +132,78 @@ TEST(FeatureDetectorTest, ASensorThatTurnsClockwiseSeesTheSame) {
   ASSERT_EQ(a.lines.size(), 1u);
   ASSERT_EQ(b.lines.size(), 1u);
   EXPECT_NEAR((a.lines[0].left_m - b.lines[0].right_m).norm(), 0.0, 1e-9);
+}
+
+/// The mean of squared errors over what the covariances say, divided by the degrees of freedom.
+struct Consistency {
+  double of_lines = 0.0;
+  double of_circles = 0.0;
+};
+
+Consistency consistency(const ScanGeometry& geometry, double sigma_m) {
+  const Vector2d center_m(-1.5, 1.0);
+  IdealScene scene(geometry);
+  scene.wall({4.0, -3.0}, {2.0, 3.0});
+  scene.cylinder(center_m, 0.25);
+  const LaserScan ideal = scene.scan();
+  // The wall's normal and distance.
+  const double bearing_rad = std::atan2(1.0, 3.0);
+  const double distance_m = 4.0 * std::cos(bearing_rad) - 3.0 * std::sin(bearing_rad);
+  FeatureDetector detector(robust_options());
+  Consistency mean;
+  int num_lines = 0;
+  int num_circles = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const Features& found = detector.detect(with_noise(ideal, sigma_m, seed));
+    for (const Line& line : found.lines) {
+      const Vector2d along = (line.right_m - line.left_m).normalized();
+      const Vector2d normal = line.left_m.dot(Vector2d(-along.y(), along.x())) < 0.0
+                                  ? Vector2d(along.y(), -along.x())
+                                  : Vector2d(-along.y(), along.x());
+      const Vector2d error(std::atan2(normal.y(), normal.x()) - bearing_rad,
+                           line.left_m.dot(normal) - distance_m);
+      mean.of_lines += error.dot(line.covariance.value().inverse() * error) / 2.0;
+      ++num_lines;
+    }
+    for (const Circle& circle : found.circles) {
+      Eigen::Vector3d error;
+      error << circle.center_m - center_m, circle.radius_m - 0.25;
+      mean.of_circles += error.dot(circle.covariance.value().inverse() * error) / 3.0;
+      ++num_circles;
+    }
+  }
+  EXPECT_NEAR(num_lines, 300, 6);
+  EXPECT_NEAR(num_circles, 300, 6);
+  mean.of_lines /= num_lines;
+  mean.of_circles /= num_circles;
+  return mean;
+}
+
+// Sigma is taken for 1.15 times as large as it looks, so that 0.76 is to be expected; a mean of 300 with two
+// degrees of freedom errs by 6 %. A silhouette is no Gaussian.
+TEST(FeatureDetectorTest, ErrorsAreWhatTheCovariancesSay) {
+  constexpr ScanGeometry kAllAround{.num_beams = 720, .first_rad = -kPi, .step_rad = radians(0.5)};
+  constexpr ScanGeometry kFromElsewhere{.num_beams = 720, .first_rad = 2.0, .step_rad = radians(0.5)};
+  constexpr ScanGeometry kClockwise{.num_beams = 700, .first_rad = kPi, .step_rad = -radians(0.5)};
+  for (const ScanGeometry& geometry : {kAllAround, kFromElsewhere, kClockwise}) {
+    for (const double sigma_m : {0.005, 0.012, 0.02}) {
+      const Consistency mean = consistency(geometry, sigma_m);
+      EXPECT_GT(mean.of_lines, 0.6) << sigma_m;
+      EXPECT_LT(mean.of_lines, 1.1) << sigma_m;
+      EXPECT_GT(mean.of_circles, 0.4) << sigma_m;
+      EXPECT_LT(mean.of_circles, 1.2) << sigma_m;
+    }
+  }
+}
+
+TEST(FeatureDetectorTest, ThePapersFeaturesHaveNoCovariance) {
+  IdealScene scene;
+  scene.wall({3.0, -2.0}, {3.0, 2.0});
+  scene.cylinder({1.5, 0.0}, 0.25);
+  FeatureDetector detector(paper_options());
+  const Features& found = detector.detect(scene.scan());
+  ASSERT_FALSE(found.lines.empty() || found.circles.empty());
+  EXPECT_FALSE(found.lines[0].covariance || found.circles[0].covariance);
 }
 
 TEST(FeatureDetectorTest, OptionsChangeBetweenScans) {

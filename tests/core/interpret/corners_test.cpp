@@ -106,6 +106,20 @@ TEST(CornersTest, AWallAcrossTheSeamHasItsCorners) {
   EXPECT_EQ(scene.objects.size(), 4u);
 }
 
+// Of a wall with a free end and one behind it: whatever beam the turn begins with.
+TEST(CornersTest, TheSeamMakesNone) {
+  for (int first_deg = -180; first_deg < 180; first_deg += 5) {
+    testing::IdealScene scene({.num_beams = 360, .first_rad = radians(first_deg), .step_rad = radians(1.0)});
+    scene.wall({2.08, -2.5}, {2.08, 0.0});
+    scene.wall({2.34, 0.02}, {4.2, 1.69});
+    const LaserScan scan = scene.scan();
+    FeatureDetector detector(robust_options());
+    Scene found;
+    find_corners(detector.detect(scan).lines, scan, {}, found);
+    EXPECT_TRUE(found.objects.empty()) << first_deg;
+  }
+}
+
 TEST(CornersTest, NoLinesNoCorners) {
   EXPECT_TRUE(corners_of({}).objects.empty());
 }

@@ -32,7 +32,7 @@ ColaOptions network(int port) {
 /// A driver that soon gives up.
 ColaOptions impatient(int port) {
   ColaOptions options = network(port);
-  options.reply_s = 0.1;
+  options.reply_s = 1.0;
   options.recovery.num_first_attempts = 1;
   return options;
 }

@@ -75,11 +75,16 @@ inline Features made_features() {
                             .bias_m = -3.0,
                             .num_points = 41,
                             .error_m = 0.004,
-                            .score = 0.75});
+                            .score = 0.75,
+                            .covariance = Eigen::Matrix2d{{1e-6, -1.0 / 3e7}, {-1.0 / 3e7, 2e-5}}});
   features.lines.push_back({.beams = {50, 60}, .num_points = 11});  // along y: no slope
   features.circles.push_back(
       {.beams = {120, 140}, .center_m = {3.0, 1.2}, .radius_m = 0.25, .average_rad = 1.9, .std_rad = 0.25});
-  features.circles.push_back({.beams = {150, 160}, .center_m = {3.0, 2.0}, .radius_m = 0.5});
+  features.circles.push_back(
+      {.beams = {150, 160},
+       .center_m = {3.0, 2.0},
+       .radius_m = 0.5,
+       .covariance = Eigen::Matrix3d{{4e-6, 1e-7, 2e-6}, {1e-7, 5e-6, 0.0}, {2e-6, 0.0, 6e-6}}});
   features.legs.push_back({.beams = {200, 206}, .middle_m = {2.1, 0.4}, .score = 0.8});
   return features;
 }

@@ -41,13 +41,26 @@ TEST(ScanJsonTest, FeaturesComeBack) {
   EXPECT_EQ(read.lines[0].bias_m, features.lines[0].bias_m);
   EXPECT_EQ(read.lines[0].num_points, 41);
   EXPECT_FALSE(read.lines[1].slope.has_value());
+  EXPECT_EQ(read.lines[0].covariance, features.lines[0].covariance);
+  EXPECT_FALSE(read.lines[1].covariance.has_value());
   ASSERT_EQ(read.circles.size(), 2U);
   EXPECT_EQ(read.circles[0].center_m, features.circles[0].center_m);
   EXPECT_EQ(read.circles[0].average_rad, 1.9);
   EXPECT_EQ(read.circles[0].std_rad, 0.25);
   EXPECT_FALSE(read.circles[1].average_rad || read.circles[1].std_rad);
+  EXPECT_FALSE(read.circles[0].covariance.has_value());
+  EXPECT_EQ(read.circles[1].covariance, features.circles[1].covariance);
   ASSERT_EQ(read.legs.size(), 1U);
   EXPECT_EQ(read.legs[0].score, 0.8);
+}
+
+TEST(ScanJsonTest, RefusesACovarianceOfAnotherSize) {
+  for (const char* const matrix : {"[1,2]", "[1,2,3]", "[[1,2],[3,4]]", "[1,2,3,4,5,6,7,8,9]", "1"}) {
+    const std::string text = R"([{"type":"line","first":0,"last":9,"left":[0,1],"right":[1,1],"points":10,)"
+                             R"("error":0,"score":1,"covariance":)" +
+                             std::string(matrix) + "}]";
+    EXPECT_THROW(read_features(parse_json(text), 361), InputError) << matrix;
+  }
 }
 
 TEST(ScanJsonTest, TruthComesBack) {

@@ -119,7 +119,7 @@ class GarblingScip final : public ByteDevice {
   GarblingScip(ByteDevice& sensor, std::string garbage) : sensor_(sensor), garbage_(std::move(garbage)) {}
 
   void receive(ByteView bytes, double now_s) override {
-    last_request.assign(bytes.begin(), bytes.end());
+    if (!bytes.empty()) last_request.assign(bytes.begin(), bytes.end());
     sensor_.receive(bytes, now_s);
   }
   void run(double now_s, Bytes& out) override {
@@ -151,6 +151,7 @@ TEST(ScipLaserTest, GivesUpWhereNoEchoIsRightAndStopsTheSensor) {
     RunningDevice running(sensor);
     ScipOptions options = network(running.port());
     options.recovery.num_first_attempts = 1;
+    options.reply_s = 10.0;
     const auto laser = open_scip(options);
     LaserScan scan;
     try {
@@ -336,6 +337,7 @@ TEST(ScipLaserTest, ResetsASensorInAnAbnormalState) {
     RunningDevice running(sensor);
     ScipOptions options = network(running.port());
     options.recovery.num_first_attempts = 1;
+    options.reply_s = 10.0;
     const auto laser = open_scip(options);
     if (reset_helps) {
       expect_true_scans(*laser, 2, 1081);

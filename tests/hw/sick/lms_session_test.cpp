@@ -65,7 +65,7 @@ TEST(LmsSessionTest, StreamsAsTheOptionsSay) {
   EXPECT_EQ(configuration.unit(), RangeUnit::kMillimetre);
   WireItem item;
   double arrival_s = 0.0;
-  ASSERT_TRUE(link.next_telegram(item, 20.0, arrival_s));
+  ASSERT_TRUE(link.next_telegram(item, 60.0, arrival_s));
   ScanTelegram scan;
   ASSERT_TRUE(parse_scan(item.body, scan));
   EXPECT_TRUE(matches(scan, {.variant = {180, 100}}));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -119,9 +121,13 @@ TEST_F(EmulateTest, RefusesTheNameOfAnotherThatRuns) {
   EXPECT_EQ(std::filesystem::file_size(truth), 12u);
   EXPECT_NE(second.err.find("another emulator"), std::string::npos) << second.err;
   EXPECT_TRUE(std::filesystem::exists(link()));
+  // Held open, so that no other program gets a terminal of the same name meanwhile.
+  const int terminal = ::open(link().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(terminal, 0);
   first->send(SIGKILL);
   first->wait();
   EXPECT_EQ(run_program({"emulate", "static_hallway", "--link", link(), "--for", "0.1"}).exit_code, 0);
+  ::close(terminal);
 }
 
 TEST_F(EmulateTest, RefusesBadInputInOneLine) {

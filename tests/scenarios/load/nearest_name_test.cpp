@@ -41,6 +41,12 @@ TEST(NearestNameTest, FindsTheMisspeltKey) {
   EXPECT_EQ(nearest_name("ta", kKeys), "at");
 }
 
+TEST(NearestNameTest, LettersOfAnotherCaseAreNearest) {
+  const std::vector<std::string> known = {"D", "s", "R"};
+  EXPECT_EQ(nearest_name("r", known), "R");
+  EXPECT_EQ(nearest_name("S", known), "s");
+}
+
 TEST(NearestNameTest, FindsNothingForAFarWord) {
   EXPECT_EQ(nearest_name("friction", kKeys), std::nullopt);
   EXPECT_EQ(nearest_name("", {}), std::nullopt);

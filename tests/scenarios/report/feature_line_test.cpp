@@ -24,7 +24,8 @@ Features one_of_each() {
                             .bias_m = -3.57,
                             .num_points = 59,
                             .error_m = 0.004,
-                            .score = 0.99});
+                            .score = 0.99,
+                            .covariance = Eigen::Matrix2d{{1e-6, -1.0 / 3e7}, {-1.0 / 3e7, 2e-5}}});
   features.circles.push_back({.beams = {120, 140},
                               .center_m = {3.0, 1.2},
                               .radius_m = 0.25,
@@ -39,9 +40,10 @@ TEST(FeatureLineTest, HasThePublicKeys) {
   EXPECT_EQ(line_of(LaserScan{}, one_of_each()),
             R"({"scan":0,"t_s":0,"features":[)"
             R"({"type":"line","first":0,"last":58,"left":[0,-3.57],"right":[1.98,-3.58],"slope":-0.002,)"
-            R"("bias":-3.57,"points":59,"error":0.004,"score":0.99},)"
+            R"("bias":-3.57,"points":59,"error":0.004,"score":0.99,)"
+            R"("covariance":[1e-06,-3.33333e-08,-3.33333e-08,2e-05]},)"
             R"({"type":"circle","first":120,"last":140,"center":[3,1.2],"radius":0.25,"average":1.91,)"
-            R"("std":0.03,"score":0.97},)"
+            R"("std":0.03,"score":0.97,"covariance":null},)"
             R"({"type":"leg","first":200,"last":206,"middle":[2.1,0.4],"score":0.8}]})"
             "\n");
 }

@@ -47,6 +47,14 @@ TEST(ScoreTableTest, AMissedBarNeverLooksMet) {
   EXPECT_NE(score_table(result).find("0.99446  MISS"), std::string::npos) << score_table(result);
 }
 
+TEST(ScoreTableTest, CountsHaveAllTheirDigits) {
+  RunResult result = testing::made_result();
+  result.gates = {{.need = {FeatureKind::kLine, find_metric("truths", FeatureKind::kLine).value(), 2740},
+                   .value = 21703,
+                   .met = true}};
+  EXPECT_NE(score_table(result).find("21703  pass"), std::string::npos) << score_table(result);
+}
+
 TEST(ScoreTableTest, HoldsARowForEachKind) {
   const std::string table = score_table(testing::made_result());
   EXPECT_EQ(row(table, {"circle", "10"}),

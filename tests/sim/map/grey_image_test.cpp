@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -98,7 +99,8 @@ TEST(GreyImageTest, RefusesLargeImagesBeforeItTakesTheirMemory) {
 }
 
 TEST(GreyImageTest, ReadsFiles) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "grey_image_test.pgm";
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) /
+                                     ("grey_image_test_" + std::to_string(::getpid()) + ".pgm");
   std::ofstream(path, std::ios::binary) << "P2 1 1 255 9";
   EXPECT_EQ(read_grey_image(path).shades, Shades{9});
   EXPECT_THROW(read_grey_image(path, {.max_bytes = 11}), InputError);
