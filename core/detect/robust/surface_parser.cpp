@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace scanbed {
@@ -39,7 +40,10 @@ void SurfaceParser::parse(Echoes& echoes, const LaserScan& scan, const DetectorO
     report_arc(surfaced, arc, has_enough ? features.circles : features.doubtful_circles);
   }
   // Only now: arcs are told by what lines leave of them, however they are cut.
-  for (const Explained& surface : surfaces_) line_splitter_.settle_cuts(pieces_of(surface));
+  for (const Explained& surface : surfaces_) {
+    line_splitter_.settle_cuts(pieces_of(surface));
+    for (int i = 0; i < surface.num_arcs; ++i) take_rests(echoes, surface, arcs_[surface.first_arc + i]);
+  }
   wall_lines_.begin(echoes, sums_, options);
   wall_lines_.append(pieces_, features.lines);
 }
@@ -127,6 +131,28 @@ void SurfaceParser::release(Explained& surface) {
   for (LinePiece& piece : pieces_of(surface)) piece.is_taken = true;
   constexpr double kNeverSure = std::numeric_limits<double>::infinity();
   for (int i = 0; i < surface.num_arcs; ++i) arcs_[surface.first_arc + i].doubt = kNeverSure;
+}
+
+// An arc is made of whole pieces, and of so many at most. What is left beside it is no line where the arc as
+// it is explains it at less cost.
+void SurfaceParser::take_rests(const Echoes& echoes, const Explained& surface, const Arc& arc) {
+  if (arc.gain <= arc.doubt) return;
+  const std::span<LinePiece> pieces = pieces_of(surface);
+  const auto is_rest = [&](const LinePiece& piece) {
+    double left = options_->surface.line_price + piece.chi2;
+    for (int k = piece.places.first; k <= piece.places.last && left >= 0.0; ++k) {
+      left -= arc.fit.squared_residual(echoes, k);
+    }
+    return left >= 0.0;
+  };
+  const auto take = [&](auto piece, const auto& end) {
+    for (; piece != end && (piece->is_taken || is_rest(*piece)); ++piece) piece->is_taken = true;
+  };
+  const auto ends_behind = [](const LinePiece& piece, int place) { return piece.places.last < place; };
+  const auto first =
+      std::lower_bound(pieces.begin(), pieces.end(), arc.parts[0].first, ends_behind);  // of the arc
+  take(first, pieces.end());
+  take(std::make_reverse_iterator(first), pieces.rend());
 }
 
 void SurfaceParser::report_arc(const SurfacedScan& scan, const Arc& arc, std::vector<Circle>& circles) const {

@@ -51,6 +51,7 @@ class SurfaceParser {
   bool join(Explained& before, Explained& after);
   void release(Explained& surface);
   std::span<LinePiece> pieces_of(const Explained& surface);
+  void take_rests(const Echoes& echoes, const Explained& surface, const Arc& arc);
   void report_arc(const SurfacedScan& scan, const Arc& arc, std::vector<Circle>& circles) const;
 
   const DetectorOptions* options_ = nullptr;

@@ -169,5 +169,32 @@ TEST(SurfaceParserTest, ALargeColumnHasNoLines) {
   }
 }
 
+// It falls into more straight pieces than an arc is made of.
+TEST(SurfaceParserTest, NorDoesOneThatAnAccurateSensorSees) {
+  for (const double range_m : {3.0, 4.0, 6.0}) {
+    IdealScene scene({.num_beams = 1081, .first_rad = radians(-135.0), .step_rad = radians(0.25)});
+    scene.cylinder({range_m, 0.0}, 1.0);
+    for (unsigned seed = 0; seed < 40; ++seed) {
+      const Features features = features_of(with_noise(scene.scan(), 0.002, seed));
+      EXPECT_EQ(features.circles.size(), 1u) << range_m << ' ' << seed;
+      EXPECT_TRUE(features.lines.empty()) << range_m << ' ' << seed;
+    }
+  }
+}
+
+// A wall that goes on where a round corner ends is one, however smoothly.
+TEST(SurfaceParserTest, AWallBesideAnArcStays) {
+  int num_found = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    IdealScene scene;
+    scene.cylinder({2.0, 0.0}, 0.4);
+    scene.wall({2.0, 0.4}, {3.0, 1.4});  // from its side on
+    const Features features = features_of(with_noise(scene.scan(), 0.005, seed));
+    EXPECT_EQ(features.circles.size(), 1u) << seed;
+    num_found += features.lines.size() == 1 ? 1 : 0;
+  }
+  EXPECT_GE(num_found, 39);
+}
+
 }  // namespace
 }  // namespace scanbed
