@@ -182,13 +182,13 @@ TEST(SurfaceParserTest, NorDoesOneThatAnAccurateSensorSees) {
   }
 }
 
-// A wall that goes on where a round corner ends is one, however smoothly.
+// A wall that begins where a round thing ends is one.
 TEST(SurfaceParserTest, AWallBesideAnArcStays) {
   int num_found = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     IdealScene scene;
     scene.cylinder({2.0, 0.0}, 0.4);
-    scene.wall({2.0, 0.4}, {3.0, 1.4});  // from its side on
+    scene.wall({1.654, 0.2}, {1.654, 1.5});  // from its front on
     const Features features = features_of(with_noise(scene.scan(), 0.005, seed));
     EXPECT_EQ(features.circles.size(), 1u) << seed;
     num_found += features.lines.size() == 1 ? 1 : 0;
