@@ -167,12 +167,8 @@ void SpotCaster::lay_rays() {
 
 void SpotCaster::meet(const Shape& shape) {
   for (int turn = -1; turn <= 1; ++turn) {
-    // Of a wall that is seen nearly from its end, the spot at the near end is the wider one, and may reach
-    // beyond that at the far end on both sides.
-    const double from =
-        std::min(shape.from - shape.from_half, shape.to - shape.to_half) + turn * steps_per_turn_;
-    const double to =
-        std::max(shape.to + shape.to_half, shape.from + shape.from_half) + turn * steps_per_turn_;
+    const double from = shape.from - shape.from_half + turn * steps_per_turn_;
+    const double to = shape.to + shape.to_half + turn * steps_per_turn_;
     if (to < 0.0 || from > num_beams_ - 1) continue;
     const int first = static_cast<int>(std::max(std::ceil(from), 0.0));
     const int last = static_cast<int>(std::min(std::floor(to), num_beams_ - 1.0));

@@ -118,30 +118,6 @@ TEST(SpotCasterTest, AThinPostBetweenTwoAxesIsMetByTheirSpots) {
   for (const SplitSpot& spot : returns.split_spots) EXPECT_TRUE(spot.beam == 180 || spot.beam == 181);
 }
 
-// Seen nearly from its end: the spot is so much wider at the near end that it reaches beyond that at the far
-// one on both sides.
-TEST(SpotCasterTest, AWallAlongABeamIsMetByAllSpotsThatReachItsNearEnd) {
-  int num_split = 0;
-  for (const double range_m : {0.3, 0.5, 1.0}) {
-    for (int i = -40; i <= 40; ++i) {
-      PlanarSlice slice;
-      slice.segments = {{{range_m, 0.0}, {4.0, 0.0}, 0}, {{6.0, -9.0}, {6.0, 9.0}, 1}};
-      const Pose2 X_LS{{0.0, 0.0005 * i + 0.0002}, 0.0};
-      const IdealReturns returns = cast(slice, X_LS, kAhead);
-      for (int beam = 50; beam <= 70; ++beam) {
-        const std::vector<SpotReturn> slow = slow_spot(slice, X_LS, kAhead.bearing_rad(beam), kLmsSpot);
-        const bool is_mixed = std::any_of(slow.begin(), slow.end(),
-                                          [&](const SpotReturn& r) { return r.object != slow[0].object; });
-        const bool is_split = std::any_of(returns.split_spots.begin(), returns.split_spots.end(),
-                                          [&](const SplitSpot& s) { return s.beam == beam; });
-        EXPECT_EQ(is_split, is_mixed) << range_m << " m, " << i << ", beam " << beam;
-        num_split += is_split ? 1 : 0;
-      }
-    }
-  }
-  EXPECT_GT(num_split, 100);
-}
-
 TEST(SpotCasterTest, OneRayAtTheAxisSplitsNothing) {
   PlanarSlice slice;
   slice.segments = {{{4, 0.001}, {4, 3}, 0}};
