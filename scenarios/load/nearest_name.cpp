@@ -38,11 +38,11 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> known) {
   if (word.size() > kLongestWord) return std::nullopt;
-  const auto differs_in_case = [word](const std::string& name) {
+  const auto is_same_but_for_case = [word](const std::string& name) {
     return std::equal(word.begin(), word.end(), name.begin(), name.end(),
                       [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
   };
-  const auto same = std::find_if(known.begin(), known.end(), differs_in_case);
+  const auto same = std::find_if(known.begin(), known.end(), is_same_but_for_case);
   if (same != known.end()) return *same;
   int best = std::max(1, static_cast<int>(word.size()) / 3) + 1;
   std::optional<std::string> nearest;

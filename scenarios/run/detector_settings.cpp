@@ -140,8 +140,8 @@ void validate(const AnalysisOptions& options, const std::vector<Given>& given) {
 
 /// The options' values before any is given: those of the preset that is named, be it by the pipeline alone.
 std::string preset_to_begin_with(const DetectorChoice& choice, const std::vector<TreeNode>& trees) {
-  std::string preset = choice.preset.value_or(kDefaultPreset);
-  if (choice.preset) return preset;
+  if (choice.preset) return *choice.preset;
+  std::string preset = kDefaultPreset;
   const auto names = preset_names();
   for (const TreeNode& tree : trees) {
     for (const NodeEntry& entry : tree.entries) {
@@ -225,10 +225,11 @@ DetectorSettings detector_settings(const DetectorChoice& choice, std::span<const
   AnalysisOptions options = options_of(preset_to_begin_with(choice, trees));
   std::vector<Given> in_file;
   std::vector<Given> set;
-  for (const TreeNode& tree : trees) {
+  const std::size_t num_files = choice.config ? 1 : 0;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
     Reader reader(options);
-    reader.read(tree);
-    std::vector<Given>& given = choice.config && &tree == &trees.front() ? in_file : set;
+    reader.read(trees[i]);
+    std::vector<Given>& given = i < num_files ? in_file : set;
     given.insert(given.end(), reader.given().begin(), reader.given().end());
   }
   std::vector<Given> all = in_file;
